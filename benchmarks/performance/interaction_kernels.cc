@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 The Setae authors
+
+// The cost of energy, residual and tangent matrix of one pair of cells as in
+// the peeling of two adhesive fibers: 20 sites on each cell, Lennard-Jones,
+// nearly parallel at the equilibrium gap. The derivatives by hand must be at
+// least ten times faster than those of nested Sacado numbers, which the
+// benchmarks `speedup` measure side by side.
+
+#include <setae/interactions/section_beam.h>
+#include <setae/interactions/section_section.h>
+#include <setae/laws/disk_cylinder.h>
+#include <setae/laws/disk_disk.h>
+#include <setae/laws/lennard_jones.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <benchmark/benchmark.h>
+
+#include <ctime>
+#include <vector>
+
+#include "../../tests/nested_sacado.h"
+
+using namespace Setae;
+
+namespace
+{
+  constexpr double       radius       = 0.02;
+  constexpr double       gap          = 1e-3;
+  constexpr double       length       = 5. / 64.;
+  constexpr unsigned int n_sites      = 20;
+  constexpr double       sum_of_radii = 2. * radius;
+
+  constexpr SectionPair sections = {radius, radius, 1., 1.};
+  constexpr GapRange    range    = {0., 0.08, 0.1};
+
+  using Fad = NestedFad<24>;
+
+  HermiteCell<>
+  slightly_bent_cell(const double y, const double bend)
+  {
+    const Tensor<1, 3> begin({0., y, 0.}), end({length, y, 0.});
+    const Tensor<1, 3> t1({1., bend, 0.}), t2({1., -bend, .5 * bend});
+    return {{{begin, t1, end, t2}}, length};
+  }
+
+  struct CellPair
+  {
+    CellPair()
+      : source(slightly_bent_cell(sum_of_radii + gap, .02))
+      , target(slightly_bent_cell(0., .01))
+    {
+      const dealii::QGauss<1> rule(n_sites);
+      evaluate_sites(rule, source, source, source_sites);
+      evaluate_sites(rule, target, target, target_sites);
+    }
+
+    HermiteCell<>         source, target;
+    std::vector<LineSite> source_sites, target_sites;
+
+    /** Source or target with its 12 of the 24 coefficients as variables. */
+    static HermiteCell<Fad>
+    on_fad(const HermiteCell<> &cell, const unsigned int first)
+    {
+      HermiteCell<Fad> result;
+      result.h = cell.h;
+      for (unsigned int a = 0; a < 4; ++a)
+        for (unsigned int c = 0; c < 3; ++c)
+          result.coefficients[a][c] =
+            variable<24>(first + 3 * a + c, cell.coefficients[a][c]);
+      return result;
+    }
+  };
+
+
+
+  /** One integral over the source. */
+  struct Sections
+  {
+    static constexpr unsigned int n_points = n_sites;
+
+    SectionBeam<DiskCylinder> interaction{
+      DiskCylinder(lennard_jones_of_cylinders(gap, -0.1, sections),
+                   sections,
+                   range),
+      sum_of_radii};
+
+    void
+    by_hand(const CellPair & cells,
+            const Request    request,
+            LocalSystem<24> &local) const
+    {
+      local.reset(request);
+      for (const LineSite &site : cells.source_sites)
+        interaction.add(site, cells.target, {}, site.weight, request, local);
+      if (request >= Request::tangent)
+        local.symmetrize();
+    }
+
+    LocalSystem<24>
+    by_sacado(const CellPair &cells) const
+    {
+      const auto source = CellPair::on_fad(cells.source, 0);
+      const auto target = CellPair::on_fad(cells.target, 12);
+      Fad        energy = 0.;
+      for (const LineSite &site : cells.source_sites)
+        for (const Projection &projection :
+             closest_points(cells.target, site.r, {}))
+          energy += site.weight * interaction.energy(source.combine(site.N),
+                                                     source.combine(site.N_x),
+                                                     target,
+                                                     projection);
+      return local_system<24>(energy);
+    }
+  };
+
+
+
+  /** A double integral. */
+  struct PairsOfSections
+  {
+    static constexpr unsigned int n_points = n_sites * n_sites;
+
+    SectionSection<DiskDisk> interaction{
+      DiskDisk(lennard_jones_of_cylinders(gap, -0.1, sections),
+               sections,
+               range),
+      sum_of_radii};
+
+    void
+    by_hand(const CellPair & cells,
+            const Request    request,
+            LocalSystem<24> &local) const
+    {
+      local.reset(request);
+      for (const LineSite &site : cells.source_sites)
+        interaction.add(site, cells.target_sites, 1., request, local);
+      if (request >= Request::tangent)
+        local.symmetrize();
+    }
+
+    LocalSystem<24>
+    by_sacado(const CellPair &cells) const
+    {
+      const auto source = CellPair::on_fad(cells.source, 0);
+      const auto target = CellPair::on_fad(cells.target, 12);
+
+      std::vector<Tensor<1, 3, Fad>> targets;
+      for (const LineSite &site : cells.target_sites)
+        targets.push_back(target.combine(site.N));
+
+      Fad energy = 0.;
+      for (const LineSite &site : cells.source_sites)
+        {
+          const Tensor<1, 3, Fad> r1 = source.combine(site.N);
+          for (unsigned int q = 0; q < targets.size(); ++q)
+            energy += (site.weight * cells.target_sites[q].weight) *
+                      interaction.energy(r1, targets[q]);
+        }
+      return local_system<24>(energy);
+    }
+  };
+
+
+
+  /** Processor time, which other programs do not disturb. */
+  double
+  seconds()
+  {
+    return double(std::clock()) / CLOCKS_PER_SEC;
+  }
+
+
+
+  template <typename Interaction>
+  void
+  by_hand(benchmark::State &state)
+  {
+    const Interaction interaction;
+    const CellPair    cells;
+    const Request     request = static_cast<Request>(state.range(0));
+    LocalSystem<24>   local;
+    for (auto _ : state)
+      {
+        interaction.by_hand(cells, request, local);
+        benchmark::DoNotOptimize(local);
+      }
+    state.counters["per_point"] =
+      benchmark::Counter(double(state.iterations()) * Interaction::n_points,
+                         benchmark::Counter::kIsRate |
+                           benchmark::Counter::kInvert);
+  }
+
+
+
+  /** Both in turn, so that a machine that slows down slows down both. */
+  template <typename Interaction>
+  void
+  speedup(benchmark::State &state)
+  {
+    constexpr unsigned int n_by_hand      = 100;
+    constexpr double       smallest_ratio = 10.;
+
+    const Interaction interaction;
+    const CellPair    cells;
+    LocalSystem<24>   local;
+    double            time_by_hand = 0., time_by_sacado = 0.;
+    for (auto _ : state)
+      {
+        const double start = seconds();
+        for (unsigned int i = 0; i < n_by_hand; ++i)
+          {
+            interaction.by_hand(cells, Request::tangent, local);
+            benchmark::DoNotOptimize(local);
+          }
+        const double middle = seconds();
+        benchmark::DoNotOptimize(interaction.by_sacado(cells));
+        time_by_hand += (middle - start) / n_by_hand;
+        time_by_sacado += seconds() - middle;
+      }
+
+    const double n = double(state.iterations()) * Interaction::n_points;
+    state.counters["by_hand_ns"]   = 1e9 * time_by_hand / n;
+    state.counters["by_sacado_ns"] = 1e9 * time_by_sacado / n;
+    state.counters["ratio"]        = time_by_sacado / time_by_hand;
+    if (time_by_sacado < smallest_ratio * time_by_hand)
+      state.SkipWithError("By hand must be ten times faster than Sacado.");
+  }
+
+
+
+  BENCHMARK_TEMPLATE(by_hand, Sections)->ArgName("request")->DenseRange(0, 2);
+  BENCHMARK_TEMPLATE(by_hand, PairsOfSections)
+    ->ArgName("request")
+    ->DenseRange(0, 2);
+  BENCHMARK_TEMPLATE(speedup, Sections)->Unit(benchmark::kMillisecond);
+  BENCHMARK_TEMPLATE(speedup, PairsOfSections)->Unit(benchmark::kMillisecond);
+} // namespace

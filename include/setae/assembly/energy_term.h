@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 The Setae authors
+
+#ifndef setae_assembly_energy_term_h
+#define setae_assembly_energy_term_h
+
+#include <setae/assembly/global_system.h>
+#include <setae/interactions/line_sites.h>
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+
+#include <string>
+
+namespace Setae
+{
+  /**
+   * One term of the total potential energy of a scene. A term that a scene does
+   * not switch on does not exist.
+   */
+  class EnergyTerm
+  {
+  public:
+    virtual ~EnergyTerm() = default;
+
+    /** Its name in the timing table and in the statistics. */
+    virtual std::string
+    name() const = 0;
+
+    /**
+     * Find out which cells couple in @p state.
+     *
+     * @return Whether the couplings have changed on this rank.
+     */
+    virtual bool
+    update_couplings(const State &state)
+    {
+      (void)state;
+      return false;
+    }
+
+    /** Whether update_couplings() searches at all. */
+    virtual bool
+    has_search() const
+    {
+      return false;
+    }
+
+    /** Pairs of cells of which at least one is owned that couple. */
+    virtual void
+    add_couplings(
+      std::vector<std::pair<unsigned int, unsigned int>> &cell_pairs) const
+    {
+      (void)cell_pairs;
+    }
+
+    /**
+     * Add the contributions of the owned cells to the system.
+     *
+     * @return The energy of this rank [energy].
+     */
+    virtual double
+    assemble(const State &state,
+             const Request request,
+             GlobalSystem &system) = 0;
+
+    /** The gaps on this rank that the last assemble() saw. */
+    virtual GapReport
+    gaps() const
+    {
+      return {};
+    }
+
+    /**
+     * A state with a gap below this one is no solution [length]: a law may be
+     * regularized there.
+     */
+    virtual double
+    smallest_admissible_gap() const
+    {
+      return -std::numeric_limits<double>::infinity();
+    }
+
+    /** The forces at the quadrature points of this rank, for output. */
+    virtual void
+    add_site_forces(const State &state, std::vector<SiteForce> &forces) const
+    {
+      (void)state;
+      (void)forces;
+    }
+  };
+} // namespace Setae
+
+#endif

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 The Setae authors
+
+#ifndef setae_assembly_interaction_h
+#define setae_assembly_interaction_h
+
+#include <setae/assembly/energy_term.h>
+
+#include <memory>
+
+namespace Setae
+{
+  /**
+   * The interaction of the points of two groups of fibers by the law that
+   * @p parameters name.
+   *
+   * @throws ExcParameter if the parameters do not fit the fibers.
+   */
+  std::unique_ptr<EnergyTerm>
+  make_interaction(const FiberSystem &          fibers,
+                   const InteractionParameters &parameters);
+} // namespace Setae
+
+#endif

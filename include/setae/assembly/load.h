@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 The Setae authors
+
+#ifndef setae_assembly_load_h
+#define setae_assembly_load_h
+
+#include <setae/assembly/energy_term.h>
+
+namespace Setae
+{
+  /**
+   * Dead forces and moments about fixed axes, at points of fibers or along them.
+   *
+   * A force is conservative and has the energy -f.u. A moment m does the work
+   * @f$m\cdot(t\times\delta t)@f$ with the unit tangent t, so it acts on r' with
+   * the force @f$m\times r'/|r'|^2@f$. In a plane it has a potential; in space it
+   * has none: it then adds nothing to the energy, and its tangent matrix is not
+   * symmetric.
+   */
+  class Load : public EnergyTerm
+  {
+  public:
+    Load(const FiberSystem &fibers, const LoadParameters &parameters);
+
+    std::string
+    name() const override
+    {
+      return "load";
+    }
+
+    double
+    assemble(const State &state,
+             const Request request,
+             GlobalSystem &system) override;
+
+  private:
+    /** A point of an owned cell and its weight, 1 or an arc length. */
+    struct Site
+    {
+      unsigned int cell;
+      double       x;
+      double       arc_length;
+      double       weight;
+    };
+
+    void
+    add_site(const Site &     site,
+             const State &    state,
+             const Request    request,
+             LocalSystem<12> &local) const;
+
+    void
+    collect_line(const unsigned int fiber);
+
+    void
+    collect_point(const unsigned int fiber, const std::string &place);
+
+    const FiberSystem &fibers;
+    LoadParameters     parameters;
+    VectorExpression   force;
+    VectorExpression   moment;
+    std::vector<Site>  sites;
+  };
+} // namespace Setae
+
+#endif

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 The Setae authors
+
+#ifndef setae_base_law_derivatives_h
+#define setae_base_law_derivatives_h
+
+namespace Setae
+{
+  /**
+   * A function of the gap and its first two derivatives.
+   */
+  struct GapDerivatives
+  {
+    double value  = 0.;
+    double first  = 0.;
+    double second = 0.;
+  };
+
+
+
+  /**
+   * Value and derivatives of a law of the gap g and of c = cos(alpha), the
+   * cosine between the two tangents.
+   */
+  struct GapAngleDerivatives
+  {
+    double value = 0.;
+    double g = 0., c = 0.;
+    double gg = 0., gc = 0., cc = 0.;
+
+    friend GapAngleDerivatives
+    operator*(const double factor, const GapAngleDerivatives &law)
+    {
+      return {factor * law.value,
+              factor * law.g,
+              factor * law.c,
+              factor * law.gg,
+              factor * law.gc,
+              factor * law.cc};
+    }
+  };
+} // namespace Setae
+
+#endif

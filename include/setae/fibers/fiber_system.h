@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 The Setae authors
+
+#ifndef setae_fibers_fiber_system_h
+#define setae_fibers_fiber_system_h
+
+#include <setae/fibers/centerline.h>
+#include <setae/kinematics/closest_point.h>
+#include <setae/scene.h>
+
+#include <deal.II/base/index_set.h>
+#include <deal.II/base/mpi.h>
+
+#include <deal.II/distributed/shared_tria.h>
+
+#include <deal.II/dofs/dof_handler.h>
+
+#include <deal.II/fe/fe_system.h>
+
+#include <deal.II/lac/trilinos_vector.h>
+
+#include <limits>
+
+namespace Setae
+{
+  /**
+   * One fiber of the mesh: a chain of cells with consecutive indices.
+   */
+  struct Fiber
+  {
+    unsigned int parameters; ///< index of its section of the scene
+    std::string  name;       ///< with the number of the copy in an array
+    Constants    copy;       ///< the numbers i, j, k of the copy
+    unsigned int first_cell;
+    unsigned int n_cells;
+    bool         closed;
+
+    /** Initial arc length of each node from the start [length]. */
+    std::vector<double> arc_length;
+  };
+
+
+
+  /**
+   * The state of all fibers at one time: displacements and positions of every
+   * cell, on every rank.
+   */
+  struct State
+  {
+    double                     time = 0.;
+    std::vector<HermiteCell<>> displacement;
+    std::vector<HermiteCell<>> current;
+  };
+
+
+
+  /**
+   * All fibers of a scene: mesh, degrees of freedom, initial centerlines.
+   *
+   * The unknowns are the displacements of the active coordinates in the space of
+   * FE_Hermite. Every rank knows the whole mesh (lines are light) and owns a
+   * contiguous part of the cells. The kernels always see three coordinates; the
+   * entries of a coordinate that is switched off have the degree of freedom
+   * numbers::invalid_dof_index and are dropped in the assembly.
+   */
+  class FiberSystem
+  {
+  public:
+    using CellDofs = std::array<dealii::types::global_dof_index, 12>;
+
+    FiberSystem(const Scene &scene, MPI_Comm communicator);
+
+    const Scene &           scene;
+    const MPI_Comm          communicator;
+    std::vector<Fiber>      fibers;
+    std::vector<HermiteCell<>> initial; ///< initial curve of each cell
+
+    /** The fiber of each cell. */
+    std::vector<unsigned int> fiber_of_cell;
+
+    /** Cells of this rank, ascending. */
+    std::vector<unsigned int> owned_cells;
+
+    /** Index 3 a + c for shape function a and coordinate c, of each cell. */
+    std::vector<CellDofs> cell_dofs;
+
+    dealii::parallel::shared::Triangulation<1, 3> triangulation;
+    dealii::FESystem<1, 3>                        fe;
+    dealii::DoFHandler<1, 3>                      dof_handler;
+    dealii::IndexSet                              owned_dofs;
+
+    const FiberParameters &
+    parameters_of_cell(const unsigned int cell) const
+    {
+      return scene.fibers[fibers[fiber_of_cell[cell]].parameters];
+    }
+
+    /** Which ends of the fiber the nodes of @p cell are. */
+    FiberEnds
+    ends_of_cell(const unsigned int cell) const;
+
+    /** How many cells lie between two cells of one fiber, plus one. */
+    unsigned int
+    distance_along_fiber(const unsigned int cell_1,
+                         const unsigned int cell_2) const;
+
+    /** The indices of the fibers that any of @p names refers to, ascending. */
+    std::vector<unsigned int>
+    select(const std::vector<std::string> &names) const;
+
+    /**
+     * A degree of freedom of a node of a fiber, or invalid_dof_index for a
+     * coordinate that is switched off.
+     */
+    dealii::types::global_dof_index
+    node_dof(const unsigned int fiber,
+             const unsigned int node,
+             const bool         tangent,
+             const unsigned int coordinate) const;
+
+    /**
+     * Where on a fiber an arc length is: cell and reference coordinate.
+     */
+    std::pair<unsigned int, double>
+    locate(const unsigned int fiber, const double arc_length) const;
+
+    /**
+     * The cells for a solution that knows all its entries on every rank.
+     */
+    State
+    state(const dealii::TrilinosWrappers::MPI::Vector &solution,
+          const double                                 time) const;
+
+  private:
+    void
+    make_grid();
+
+    void
+    distribute_dofs();
+
+    void
+    check_curvature(const Centerline &line, const std::string &parameter) const;
+  };
+} // namespace Setae
+
+#endif

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 The Setae authors
+
+#ifndef setae_interactions_section_beam_h
+#define setae_interactions_section_beam_h
+
+#include <setae/base/local_system.h>
+#include <setae/interactions/line_sites.h>
+#include <setae/kinematics/closest_point.h>
+#include <setae/kinematics/gap_angle.h>
+
+namespace Setae
+{
+  /**
+   * Interaction of every section of a source cell with the target cell next to
+   * it (SBIP eq. 14): one integral over the source, with the law evaluated
+   * between a site and its closest points on the target.
+   *
+   * The coordinate @f$\xi(q)@f$ of the closest point moves with the degrees of
+   * freedom q of both cells, held by @f$p(q,\xi)=(r_1-r_2)\cdot r_{2,\xi}=0@f$.
+   * With @f$L=f-\lambda p@f$ and @f$\lambda=f_{,\xi}/p_{,\xi}@f$ kept fixed,
+   * @f$L_{,\xi}=0@f$, and the energy @f$f(q,\xi(q))@f$ has the gradient
+   * @f$L_{,q}@f$ and the Hessian
+   * @f[ L_{,qq} + L_{,q\xi}\otimes\xi_{,q} + \xi_{,q}\otimes L_{,q\xi} +
+   *     L_{,\xi\xi}\,\xi_{,q}\otimes\xi_{,q}, \qquad
+   *     \xi_{,q}=-p_{,q}/p_{,\xi}. @f]
+   * These are SBIP eq. 24-29 and B10-B25 without a second derivative of
+   * @f$\xi@f$.
+   *
+   * @tparam Law A law of gap and cos(alpha), for example DiskCylinder.
+   */
+  template <typename Law>
+  class SectionBeam
+  {
+  public:
+    SectionBeam(const Law &law, const double sum_of_radii)
+      : law(law)
+      , sum_of_radii(sum_of_radii)
+    {}
+
+    /**
+     * Add the interaction of one site, times @p weight, to the system of the two
+     * cells (source first).
+     *
+     * @return The smallest gap to the target cell [length], infinity beyond the
+     * cutoff. Nothing is added if the law cannot be evaluated because the gap is
+     * not positive and the law not regularized: the caller must then discard the
+     * state.
+     */
+    double
+    add(const LineSite &     site,
+        const HermiteCell<> &target,
+        const FiberEnds &    ends,
+        const double         weight,
+        const Request        request,
+        LocalSystem<24> &    local) const
+    {
+      double smallest_gap = std::numeric_limits<double>::infinity();
+      for (const Projection &projection : closest_points(target, site.r, ends))
+        {
+          const PointPair pair = {site.r,
+                                  site.r_x,
+                                  target.position(projection.x),
+                                  target.derivative(projection.x)};
+          const GapAngle  geometry(pair, sum_of_radii);
+          if (geometry.gap >= law.cutoff())
+            continue;
+          smallest_gap = std::min(smallest_gap, geometry.gap);
+          if (!law.admits(geometry.gap))
+            continue;
+
+          const GapAngleDerivatives derivatives =
+            weight * law(geometry.gap, geometry.cosine);
+          local.energy += derivatives.value;
+          if (request >= Request::residual)
+            distribute(site,
+                       target,
+                       projection,
+                       pair,
+                       geometry.energy(derivatives, request >= Request::tangent),
+                       request,
+                       local);
+        }
+      return smallest_gap;
+    }
+
+    /**
+     * The forces per source length on both centerlines at one site, for output.
+     */
+    void
+    forces(const LineSite &        site,
+           const HermiteCell<> &   target,
+           const FiberEnds &       ends,
+           const double            factor,
+           std::vector<SiteForce> &result) const
+    {
+      for (const Projection &projection : closest_points(target, site.r, ends))
+        {
+          const PointPair pair = {site.r,
+                                  site.r_x,
+                                  target.position(projection.x),
+                                  target.derivative(projection.x)};
+          const GapAngle  geometry(pair, sum_of_radii);
+          if (geometry.gap >= law.cutoff() || !law.admits(geometry.gap))
+            continue;
+          const Tensor<1, 3> force =
+            -factor * law(geometry.gap, geometry.cosine).g * geometry.n;
+          result.push_back({pair.r1, force, geometry.gap});
+          result.push_back({pair.r2, -force, geometry.gap});
+        }
+    }
+
+    /**
+     * The energy of one site on any number type, from coefficients of that type:
+     * the reference for the derivatives. @p x is a converged closest point; two
+     * Newton steps on the number type give it its first and second derivatives.
+     */
+    template <typename Number>
+    Number
+    energy(const Tensor<1, 3, Number> &r1,
+           const Tensor<1, 3, Number> &a1,
+           const HermiteCell<Number> & target,
+           const Projection &          projection) const
+    {
+      using std::sqrt;
+      Number x = projection.x;
+      if (projection.moves)
+        for (unsigned int step = 0; step < 2; ++step)
+          {
+            const Tensor<1, 3, Number> d   = r1 - target.position(x);
+            const Tensor<1, 3, Number> r_x = target.derivative(x);
+            x -= (d * r_x) / (d * target.second_derivative(x) - r_x * r_x);
+          }
+      const Tensor<1, 3, Number> d  = r1 - target.position(x);
+      const Tensor<1, 3, Number> a2 = target.derivative(x);
+      const Number               gap    = sqrt(d * d) - sum_of_radii;
+      const Number               cosine = (a1 * a2) / sqrt((a1 * a1) * (a2 * a2));
+      return law.energy(gap, cosine);
+    }
+
+    /** Distance of two centerlines from which on the law is zero [length]. */
+    double
+    reach() const
+    {
+      return law.cutoff() + sum_of_radii;
+    }
+
+  private:
+    void
+    distribute(const LineSite &     site,
+               const HermiteCell<> &target,
+               const Projection &   projection,
+               const PointPair &    pair,
+               PointPairEnergy      L,
+               const Request        request,
+               LocalSystem<24> &    local) const
+    {
+      using namespace PointPairIndex;
+
+      const double       x    = projection.x;
+      const auto         M    = Hermite::shape_values(x, target.h);
+      const auto         M_x  = Hermite::shape_derivatives(x, target.h);
+      const auto         M_xx = Hermite::shape_second_derivatives(x, target.h);
+      const Tensor<1, 3> b2   = target.combine(M_xx);
+      const Tensor<1, 3> d    = pair.r1 - pair.r2;
+
+      // The Lagrangian f - lambda p of a closest point that moves. Where the
+      // site sits in the center of curvature of the target, every point nearby
+      // is closest and none is preferred: the projection then counts as fixed.
+      const double p_xi  = d * b2 - pair.a2 * pair.a2;
+      const bool   moves = projection.moves &&
+                         p_xi < -1e-8 * pair.a2.norm_square();
+      if (moves)
+        {
+          const double lambda =
+            (L.gradient[r2] * pair.a2 + L.gradient[a2] * b2) / p_xi;
+          L.gradient[r1] -= lambda * pair.a2;
+          L.gradient[r2] += lambda * pair.a2;
+          L.gradient[a2] -= lambda * d;
+          if (request >= Request::tangent)
+            for (unsigned int c = 0; c < 3; ++c)
+              {
+                L.hessian[r1][a2][c][c] -= lambda;
+                L.hessian[a2][r1][c][c] -= lambda;
+                L.hessian[r2][a2][c][c] += lambda;
+                L.hessian[a2][r2][c][c] += lambda;
+              }
+        }
+
+      for (unsigned int a = 0; a < 4; ++a)
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            local.residual[3 * a + c] += site.N[a] * L.gradient[r1][c] +
+                                         site.N_x[a] * L.gradient[a1][c];
+            local.residual[12 + 3 * a + c] +=
+              M[a] * L.gradient[r2][c] + M_x[a] * L.gradient[a2][c];
+          }
+      if (request < Request::tangent)
+        return;
+
+      // The motion of the closest point, v_xi = (0, 0, a2, b2) and its
+      // derivative (0, 0, b2, c2), in the four vectors and then in q.
+      std::array<double, 24> xi_q = {}, w = {};
+      if (moves)
+        {
+          const Tensor<1, 3>          c2 = target.third_derivative();
+          std::array<Tensor<1, 3>, 4> H_v;
+          for (unsigned int v = 0; v < 4; ++v)
+            H_v[v] = L.hessian[v][r2] * pair.a2 + L.hessian[v][a2] * b2;
+          const double L_xi_xi = pair.a2 * H_v[r2] + b2 * H_v[a2] +
+                                 L.gradient[r2] * b2 + L.gradient[a2] * c2;
+
+          for (unsigned int a = 0; a < 4; ++a)
+            for (unsigned int c = 0; c < 3; ++c)
+              {
+                const unsigned int i = 3 * a + c, j = 12 + i;
+                xi_q[i] = -site.N[a] * pair.a2[c] / p_xi;
+                xi_q[j] = (M[a] * pair.a2[c] - M_x[a] * d[c]) / p_xi;
+                w[i]    = site.N[a] * H_v[r1][c] + site.N_x[a] * H_v[a1][c];
+                w[j]    = M[a] * H_v[r2][c] + M_x[a] * H_v[a2][c] +
+                       M_x[a] * L.gradient[r2][c] + M_xx[a] * L.gradient[a2][c];
+              }
+          for (unsigned int i = 0; i < 24; ++i)
+            w[i] += .5 * L_xi_xi * xi_q[i];
+        }
+
+      // B^T (H B), row by row. As L depends on r1 - r2 only, the rows of r2 are
+      // those of r1 with the other sign.
+      std::array<Row, 3> H_B_r1, H_B_a1, H_B_a2;
+      for (unsigned int c = 0; c < 3; ++c)
+        for (unsigned int b = 0; b < 4; ++b)
+          for (unsigned int e = 0; e < 3; ++e)
+            {
+              const unsigned int i = 3 * b + e, j = 12 + i;
+              H_B_r1[c][i] = L.hessian[r1][r1][c][e] * site.N[b] +
+                             L.hessian[r1][a1][c][e] * site.N_x[b];
+              H_B_r1[c][j] = L.hessian[r1][r2][c][e] * M[b] +
+                             L.hessian[r1][a2][c][e] * M_x[b];
+              H_B_a1[c][i] = L.hessian[a1][r1][c][e] * site.N[b] +
+                             L.hessian[a1][a1][c][e] * site.N_x[b];
+              H_B_a2[c][i] = L.hessian[a2][r1][c][e] * site.N[b] +
+                             L.hessian[a2][a1][c][e] * site.N_x[b];
+              H_B_a2[c][j] = L.hessian[a2][r2][c][e] * M[b] +
+                             L.hessian[a2][a2][c][e] * M_x[b];
+            }
+      for (unsigned int a = 0; a < 4; ++a)
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            const unsigned int i = 3 * a + c, j = 12 + i;
+            add_row<12>(site.N[a], H_B_r1[c], site.N_x[a], H_B_a1[c], w[i], xi_q, xi_q[i], w, local.tangent[i]);
+            add_row<24>(-M[a], H_B_r1[c], M_x[a], H_B_a2[c], w[j], xi_q, xi_q[j], w, local.tangent[j]);
+          }
+    }
+
+    using Row = std::array<double, 24>;
+    template <unsigned int n>
+    static void
+    add_row(double f0, const Row &v0, double f1, const Row &v1, double f2, const Row &v2, double f3, const Row &v3, Row &result)
+    {
+      for (unsigned int k = 0; k < n; ++k)
+        result[k] += f0 * v0[k] + f1 * v1[k] + f2 * v2[k] + f3 * v3[k];
+    }
+
+    Law    law;
+    double sum_of_radii;
+  };
+} // namespace Setae
+
+#endif

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 The Setae authors
+
+#ifndef setae_kinematics_gap_angle_h
+#define setae_kinematics_gap_angle_h
+
+#include <setae/base/law_derivatives.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <array>
+
+namespace Setae
+{
+  using dealii::Tensor;
+
+  /**
+   * Two points of two curves: positions [length] and, along any parameter, the
+   * derivatives of the curves there.
+   */
+  struct PointPair
+  {
+    Tensor<1, 3> r1, a1, r2, a2;
+  };
+
+  /** The places of the four vectors of a PointPair in its derivatives. */
+  namespace PointPairIndex
+  {
+    inline constexpr unsigned int r1 = 0, a1 = 1, r2 = 2, a2 = 3;
+  }
+
+  /** Energy of a PointPair with gradient and Hessian in its four vectors. */
+  struct PointPairEnergy
+  {
+    double                                  value = 0.;
+    std::array<Tensor<1, 3>, 4>             gradient;
+    std::array<std::array<Tensor<2, 3>, 4>, 4> hessian;
+  };
+
+
+
+  /**
+   * The invariants of a disk and a cylinder: gap @f$g=|r_1-r_2|-R_1-R_2@f$
+   * [length] and @f$c=\cos\alpha=t_1\cdot t_2@f$ with @f$t_i=a_i/|a_i|@f$.
+   * The laws are even in c, so the orientation of the fibers does not matter.
+   */
+  class GapAngle
+  {
+  public:
+    GapAngle(const PointPair &pair, const double sum_of_radii)
+      : d(pair.r1 - pair.r2)
+      , distance(d.norm())
+      , n(d / distance)
+      , length_1(pair.a1.norm())
+      , length_2(pair.a2.norm())
+      , t1(pair.a1 / length_1)
+      , t2(pair.a2 / length_2)
+      , gap(distance - sum_of_radii)
+      , cosine(t1 * t2)
+    {}
+
+    const Tensor<1, 3> d;
+    const double       distance;
+    const Tensor<1, 3> n;
+    const double       length_1, length_2;
+    const Tensor<1, 3> t1, t2;
+    const double       gap;
+    const double       cosine;
+
+    /**
+     * The chain rule from the derivatives of a law in (gap, cosine) to those in
+     * the four vectors of the pair (SBIP eq. 23-25 and B13-B25, here at a fixed
+     * point of the target). The Hessian is written if @p with_hessian.
+     */
+    PointPairEnergy
+    energy(const GapAngleDerivatives &law, const bool with_hessian) const
+    {
+      using namespace PointPairIndex;
+
+      // dg = n . (dr1 - dr2),  dc = w1 . da1 + w2 . da2
+      const Tensor<1, 3> w1 = (t2 - cosine * t1) / length_1;
+      const Tensor<1, 3> w2 = (t1 - cosine * t2) / length_2;
+
+      PointPairEnergy result;
+      result.value        = law.value;
+      result.gradient[r1] = law.g * n;
+      result.gradient[r2] = -law.g * n;
+      result.gradient[a1] = law.c * w1;
+      result.gradient[a2] = law.c * w2;
+      if (!with_hessian)
+        return result;
+
+      // The products of two gradients and, times law.g and law.c, the second
+      // derivatives of g and c; I is the identity.
+      const double lateral = law.g / distance;
+      const double mixed   = law.c / (length_1 * length_2);
+      const double bend_1  = law.c / length_1;
+      const double bend_2  = law.c / length_2;
+      auto &       H       = result.hessian;
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = 0; j < 3; ++j)
+          {
+            const double I = i == j ? 1. : 0.;
+
+            const double rr  = law.gg * n[i] * n[j] + lateral * (I - n[i] * n[j]);
+            H[r1][r1][i][j] = H[r2][r2][i][j] = rr;
+            H[r1][r2][i][j] = H[r2][r1][i][j] = -rr;
+
+            const double ra1 = law.gc * n[i] * w1[j];
+            H[r1][a1][i][j] = H[a1][r1][j][i] = ra1;
+            H[r2][a1][i][j] = H[a1][r2][j][i] = -ra1;
+
+            const double ra2 = law.gc * n[i] * w2[j];
+            H[r1][a2][i][j] = H[a2][r1][j][i] = ra2;
+            H[r2][a2][i][j] = H[a2][r2][j][i] = -ra2;
+
+            H[a1][a1][i][j] =
+              law.cc * w1[i] * w1[j] -
+              bend_1 * (t1[i] * w1[j] + w1[i] * t1[j] +
+                        cosine / length_1 * (I - t1[i] * t1[j]));
+            H[a2][a2][i][j] =
+              law.cc * w2[i] * w2[j] -
+              bend_2 * (t2[i] * w2[j] + w2[i] * t2[j] +
+                        cosine / length_2 * (I - t2[i] * t2[j]));
+
+            H[a1][a2][i][j] = H[a2][a1][j][i] =
+              law.cc * w1[i] * w2[j] +
+              mixed *
+                (I - t1[i] * t1[j] - t2[i] * t2[j] + cosine * t1[i] * t2[j]);
+          }
+      return result;
+    }
+  };
+} // namespace Setae
+
+#endif

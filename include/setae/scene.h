@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 The Setae authors
+
+#ifndef setae_scene_h
+#define setae_scene_h
+
+#include <setae/base/expression.h>
+
+#include <string>
+#include <vector>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace Setae
+{
+  /** One named subsection: a fiber, or an array of equal ones. */
+  struct FiberParameters
+  {
+    std::string               name;
+    std::string               centerline = "s; 0; 0";
+    std::string               mesh_file;
+    std::vector<unsigned int> copies         = {1};
+    double                    length         = 1.;
+    double                    radius         = .01;
+    double                    youngs_modulus = 1.;
+    double                    poisson_ratio  = .3;
+    unsigned int              n_cells        = 16;
+    double                    number_density = 1.;
+    std::string               beam;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+  };
+
+
+
+  /** One named subsection: what is held or moved, and how. */
+  struct SupportParameters
+  {
+    std::string              name;
+    std::vector<std::string> fibers = {"all"};
+    std::vector<std::string> at     = {"start"};
+    std::string              displacement = "free; free; free";
+    std::string              tangent      = "free; free; free";
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+  };
+
+
+
+  /** One named subsection: forces and moments on fibers. */
+  struct LoadParameters
+  {
+    std::string              name;
+    std::vector<std::string> fibers = {"all"};
+    std::vector<std::string> at     = {"end"};
+    std::string              force  = "0; 0; 0";
+    std::string              moment = "0; 0; 0";
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+  };
+
+
+
+  /** One named subsection: a potential between the points of two groups. */
+  struct InteractionParameters
+  {
+    std::string               name;
+    std::string               law;
+    std::vector<std::string>  source = {"all"};
+    std::vector<std::string>  target = {"all"};
+    bool                      two_half_passes  = false;
+    bool                      self_interaction = false;
+    unsigned int              n_excluded_neighbors = 2;
+    std::vector<unsigned int> exponents  = {6, 12};
+    std::vector<double>       prefactors;
+    double                    equilibrium_gap = 0.;
+    double                    force_minimum   = 0.;
+    double                    cutoff          = 0.;
+    double                    switch_width    = .1;
+    double                    regularization  = 0.;
+    double                    skin            = 0.;
+    unsigned int              n_segments      = 2;
+    unsigned int              n_gauss_points  = 10;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+  };
+
+
+
+  /** How the load is applied. */
+  struct LoadSteppingParameters
+  {
+    double       end_time        = 1.;
+    double       first_step      = .1;
+    std::string  largest_step    = "1";
+    double       smallest_step   = 1e-4;
+    double       growth          = 2.;
+    unsigned int target_n_iterations = 8;
+    bool         pass_instabilities  = true;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+  };
+
+
+
+  /** How the equilibrium of one load step is found. */
+  struct NewtonParameters
+  {
+    double       residual_tolerance  = 1e-7;
+    double       increment_tolerance = 1e-8;
+    unsigned int max_n_iterations    = 30;
+    double       largest_increment   = 0.;
+    std::string  linear_solver       = "Amesos_Klu";
+    bool         log_iterations      = false;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+  };
+
+
+
+  /** What is written, and how often. */
+  struct OutputParameters
+  {
+    std::string  directory;
+    double       interval       = 0.;
+    unsigned int n_subdivisions = 4;
+    bool         fields         = true;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+  };
+
+
+
+  /**
+   * All that a .prm file says. Read once, constant from then on.
+   */
+  struct Scene
+  {
+    std::string title;
+    std::string coordinates = "x, y, z";
+    std::string constants_text;
+    Constants   constants;
+
+    std::vector<FiberParameters>       fibers;
+    std::vector<SupportParameters>     supports;
+    std::vector<LoadParameters>        loads;
+    std::vector<InteractionParameters> interactions;
+    LoadSteppingParameters             load_stepping;
+    NewtonParameters                   newton;
+    OutputParameters                   output;
+
+    /** Everything as it is used, as a .prm file that repeats the run. */
+    std::string used_parameters;
+
+    /** The indices 0, 1, 2 of the coordinates that are not switched off. */
+    std::vector<unsigned int>
+    active_coordinates() const;
+
+    /**
+     * Read a scene.
+     *
+     * @param text The contents of a .prm file.
+     * @param file_name Its name, for messages and for the default directory.
+     * @param overrides "section/name=value", applied after the file.
+     *
+     * @throws ExcInput, ExcParameter with one sentence on the first entry that
+     * cannot be used.
+     */
+    static Scene
+    read(const std::string &             text,
+         const std::string &             file_name,
+         const std::vector<std::string> &overrides = {});
+
+    /**
+     * Every parameter with default, allowed values and documentation, as a .prm
+     * file with one fiber, support, load and interaction.
+     */
+    static std::string
+    documentation();
+  };
+} // namespace Setae
+
+#endif

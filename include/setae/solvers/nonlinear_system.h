@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 The Setae authors
+
+#ifndef setae_solvers_nonlinear_system_h
+#define setae_solvers_nonlinear_system_h
+
+#include <setae/interactions/line_sites.h>
+
+#include <deal.II/lac/trilinos_vector.h>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace Setae
+{
+  /** What is known of a state after an evaluation, the same on every rank. */
+  struct Evaluation
+  {
+    double              residual_norm = 0.; ///< of the free unknowns [force]
+    double              energy        = 0.; ///< the sum [energy]
+    std::vector<double> energies;           ///< of each term [energy]
+    GapReport           gaps;
+
+    /** Whether all numbers are finite and every law could be evaluated. */
+    bool is_valid = false;
+
+    /** Whether, beyond that, no gap is below the regularization of its law. */
+    bool is_admissible = false;
+
+    /** What is wrong, in words, if something is. */
+    std::string reason;
+  };
+
+
+
+  /** What the next increment does to the supports. */
+  enum class SupportIncrement
+  {
+    at_rest,      ///< they stay where they are
+    to_prescribed ///< it takes them to where they are prescribed
+  };
+
+
+
+  /**
+   * What a solver for equilibria sees of a problem with unknowns X at time t.
+   */
+  class NonlinearSystem
+  {
+  public:
+    using Vector = dealii::TrilinosWrappers::MPI::Vector;
+
+    virtual ~NonlinearSystem() = default;
+
+    /**
+     * Assemble residual and tangent matrix. @p solution holds the locally owned
+     * unknowns.
+     */
+    virtual Evaluation
+    evaluate(const Vector &         solution,
+             const double           time,
+             const SupportIncrement supports) = 0;
+
+    /**
+     * Solve for the increment with the matrix of the last evaluation, plus
+     * @p damping times the magnitude of its diagonal.
+     *
+     * @return Whether there is a solution; false for a singular matrix.
+     */
+    virtual bool
+    solve(Vector &increment, const double damping) = 0;
+
+    /** The largest displacement of a node in an increment [length]. */
+    virtual double
+    largest_displacement(const Vector &increment) const = 0;
+  };
+
+
+
+  /** What became of an attempt to find an equilibrium. */
+  struct SolverResult
+  {
+    bool         converged    = false;
+    unsigned int n_iterations = 0; ///< linear systems solved
+    Evaluation   evaluation;       ///< of the last state
+    std::string  reason;           ///< of a failure, in words
+  };
+} // namespace Setae
+
+#endif

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 The Setae authors
+
+#include <setae/assembly/load.h>
+#include <setae/base/exceptions.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+
+namespace Setae
+{
+  using namespace dealii;
+
+  Load::Load(const FiberSystem &fibers, const LoadParameters &parameters)
+    : fibers(fibers)
+    , parameters(parameters)
+    , force("loads/" + parameters.name + "/force",
+            parameters.force,
+            "s,t",
+            fibers.scene.constants)
+    , moment("loads/" + parameters.name + "/moment",
+             parameters.moment,
+             "s,t",
+             fibers.scene.constants)
+  {
+    for (const unsigned int fiber : fibers.select(parameters.fibers))
+      for (const std::string &place : parameters.at)
+        if (place == "all")
+          collect_line(fiber);
+        else
+          collect_point(fiber, place);
+    std::sort(sites.begin(), sites.end(), [](const Site &a, const Site &b) {
+      return a.cell < b.cell;
+    });
+  }
+
+
+
+  void
+  Load::collect_line(const unsigned int fiber)
+  {
+    const QGauss<1> rule(4);
+    const Fiber &   f = fibers.fibers[fiber];
+    for (unsigned int i = 0; i < f.n_cells; ++i)
+      for (unsigned int q = 0; q < rule.size(); ++q)
+        {
+          const double       x    = rule.point(q)[0];
+          const unsigned int cell = f.first_cell + i;
+          if (std::binary_search(fibers.owned_cells.begin(),
+                                 fibers.owned_cells.end(),
+                                 cell))
+            sites.push_back({cell,
+                             x,
+                             f.arc_length[i] +
+                               x * (f.arc_length[i + 1] - f.arc_length[i]),
+                             rule.weight(q) *
+                               fibers.initial[cell].derivative(x).norm()});
+        }
+  }
+
+
+
+  void
+  Load::collect_point(const unsigned int fiber, const std::string &place)
+  {
+    const double end = fibers.fibers[fiber].arc_length.back();
+    const double s   = place == "start" ? 0. :
+                       place == "end"   ? end :
+                                          Utilities::string_to_double(place);
+    AssertThrow(s <= end * (1. + 1e-12),
+                ExcParameter("loads/" + parameters.name + "/at",
+                             place,
+                             "at most the length " + std::to_string(end)));
+    const auto [cell, x] = fibers.locate(fiber, s);
+    if (std::binary_search(fibers.owned_cells.begin(),
+                           fibers.owned_cells.end(),
+                           cell))
+      sites.push_back({cell, x, s, 1.});
+  }
+
+
+
+  double
+  Load::assemble(const State & state,
+                 const Request request,
+                 GlobalSystem &system)
+  {
+    double          energy = 0.;
+    LocalSystem<12> local;
+    for (unsigned int i = 0; i < sites.size();)
+      {
+        const unsigned int cell = sites[i].cell;
+        local.reset(request);
+        for (; i < sites.size() && sites[i].cell == cell; ++i)
+          add_site(sites[i], state, request, local);
+        energy += local.energy;
+        system.add(cell, local);
+      }
+    return energy;
+  }
+
+
+
+  void
+  Load::add_site(const Site &     site,
+                 const State &    state,
+                 const Request    request,
+                 LocalSystem<12> &local) const
+  {
+    const HermiteCell<> &cell = state.current[site.cell];
+    const auto           N    = Hermite::shape_values(site.x, cell.h);
+    const auto           N_x  = Hermite::shape_derivatives(site.x, cell.h);
+    const Tensor<1, 3>   f =
+      site.weight * force(site.arc_length, state.time);
+    const Tensor<1, 3> m =
+      site.weight * moment(site.arc_length, state.time);
+
+    // The force on r,x: p = m x a / A with A = a.a, and its derivative.
+    const Tensor<1, 3> a       = cell.combine(N_x);
+    const double       A       = a * a;
+    const Tensor<1, 3> m_cross = cross_product_3d(m, a);
+    const Tensor<1, 3> p       = m_cross / A;
+
+    local.energy -= f * state.displacement[site.cell].combine(N);
+    if (request < Request::residual)
+      return;
+    for (unsigned int i = 0; i < 4; ++i)
+      for (unsigned int c = 0; c < 3; ++c)
+        local.residual[3 * i + c] -= N[i] * f[c] + N_x[i] * p[c];
+    if (request < Request::tangent)
+      return;
+
+    Tensor<2, 3> p_a = (-2. / A) * outer_product(p, a);
+    p_a[0][1] -= m[2] / A;
+    p_a[0][2] += m[1] / A;
+    p_a[1][0] += m[2] / A;
+    p_a[1][2] -= m[0] / A;
+    p_a[2][0] -= m[1] / A;
+    p_a[2][1] += m[0] / A;
+    for (unsigned int i = 0; i < 4; ++i)
+      for (unsigned int j = 0; j < 4; ++j)
+        for (unsigned int c = 0; c < 3; ++c)
+          for (unsigned int e = 0; e < 3; ++e)
+            local.tangent[3 * i + c][3 * j + e] -=
+              N_x[i] * N_x[j] * p_a[c][e];
+  }
+} // namespace Setae

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 The Setae authors
+
+#include <setae/assembly/supports.h>
+#include <setae/base/exceptions.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <set>
+
+namespace Setae
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** The nodes of a fiber that a place of a support means. */
+    std::vector<unsigned int>
+    nodes_at(const Fiber &      fiber,
+             const std::string &place,
+             const std::string &parameter)
+    {
+      const unsigned int n_nodes = fiber.n_cells + (fiber.closed ? 0 : 1);
+      std::vector<unsigned int> nodes;
+      if (place == "all")
+        for (unsigned int i = 0; i < n_nodes; ++i)
+          nodes.push_back(i);
+      else if (place == "start")
+        nodes.push_back(0);
+      else if (place == "end")
+        nodes.push_back(n_nodes - 1);
+      else
+        {
+          const auto & s       = fiber.arc_length;
+          const double value   = Utilities::string_to_double(place);
+          const auto   nearest = std::min_element(
+            s.begin(), s.begin() + n_nodes, [value](double a, double b) {
+              return std::abs(a - value) < std::abs(b - value);
+            });
+          AssertThrow(std::abs(*nearest - value) < 1e-8 * s.back(),
+                      ExcParameter(parameter,
+                                   place,
+                                   "an arc length where the fiber '" +
+                                     fiber.name +
+                                     "' has a node; the nearest one is at " +
+                                     std::to_string(*nearest)));
+          nodes.push_back(nearest - s.begin());
+        }
+      return nodes;
+    }
+  } // namespace
+
+
+
+  Supports::Supports(const FiberSystem &fibers)
+    : fibers(fibers)
+  {
+    for (unsigned int i = 0; i < fibers.scene.supports.size(); ++i)
+      add_support(i);
+    check_every_fiber();
+
+    for (const auto &[dof, entry] : prescribed)
+      homogeneous.add_line(dof);
+    homogeneous.close();
+  }
+
+
+
+  void
+  Supports::add_support(const unsigned int index)
+  {
+    const SupportParameters &support = fibers.scene.supports[index];
+    const std::string        path    = "supports/" + support.name + "/";
+    const auto               parse   = [&](const std::string &entry,
+                           const std::string &text,
+                           const Constants &  copy) {
+      const auto parts = Utilities::split_string_list(text, ';');
+      AssertThrow(parts.size() == 3,
+                  ExcParameter(path + entry,
+                               text,
+                               "three times 'free' or a formula, separated by "
+                               "';'"));
+      Constants constants = fibers.scene.constants;
+      constants.insert(copy.begin(), copy.end());
+      std::array<const Expression *, 3> result = {};
+      for (unsigned int c = 0; c < 3; ++c)
+        if (parts[c] != "free")
+          {
+            expressions.push_back(std::make_unique<Expression>(
+              path + entry, parts[c], "t", constants));
+            result[c] = expressions.back().get();
+          }
+      return result;
+    };
+
+    for (const unsigned int f : fibers.select(support.fibers))
+      {
+        const Fiber &fiber = fibers.fibers[f];
+        const auto   displacement =
+          parse("displacement", support.displacement, fiber.copy);
+        const auto tangent = parse("tangent", support.tangent, fiber.copy);
+        for (const std::string &place : support.at)
+          for (const unsigned int node : nodes_at(fiber, place, path + "at"))
+            {
+              prescribe_node(index, f, node, false, displacement);
+              prescribe_node(index, f, node, true, tangent);
+            }
+      }
+  }
+
+
+
+  void
+  Supports::prescribe_node(const unsigned int                       support,
+                           const unsigned int                       fiber,
+                           const unsigned int                       node,
+                           const bool                               tangent,
+                           const std::array<const Expression *, 3> &values)
+  {
+    for (unsigned int c = 0; c < 3; ++c)
+      {
+        const auto dof = fibers.node_dof(fiber, node, tangent, c);
+        if (values[c] == nullptr || dof == numbers::invalid_dof_index)
+          continue;
+        const bool is_new =
+          prescribed.insert({dof, {support, tangent, c, values[c]}}).second;
+        const auto &supports = fibers.scene.supports;
+        AssertThrow(is_new || prescribed[dof].support == support,
+                    ExcParameter("supports/" + supports[support].name + "/" +
+                                   (tangent ? "tangent" : "displacement"),
+                                 tangent ? supports[support].tangent :
+                                           supports[support].displacement,
+                                 "free where the support '" +
+                                   supports[prescribed[dof].support].name +
+                                   "' holds the same component"));
+      }
+  }
+
+
+
+  void
+  Supports::check_every_fiber() const
+  {
+    std::string names;
+    for (const SupportParameters &support : fibers.scene.supports)
+      names += (names.empty() ? "" : ", ") + support.name;
+    for (unsigned int f = 0; f < fibers.fibers.size(); ++f)
+      {
+        const Fiber &fiber     = fibers.fibers[f];
+        bool         supported = false;
+        for (unsigned int cell = fiber.first_cell;
+             cell < fiber.first_cell + fiber.n_cells && !supported;
+             ++cell)
+          for (const auto dof : fibers.cell_dofs[cell])
+            supported = supported || prescribed.count(dof) > 0;
+        AssertThrow(supported,
+                    ExcParameter("supports/names",
+                                 names,
+                                 "such that every fiber is supported, but '" +
+                                   fiber.name +
+                                   "' is not: it could move freely"));
+      }
+  }
+
+
+
+  AffineConstraints<double>
+  Supports::increment_to(
+    const double                         time,
+    const TrilinosWrappers::MPI::Vector &solution) const
+  {
+    AffineConstraints<double> constraints;
+    for (const auto &[dof, entry] : prescribed)
+      {
+        constraints.add_line(dof);
+        constraints.set_inhomogeneity(dof, (*entry.value)(time)-solution(dof));
+      }
+    constraints.close();
+    return constraints;
+  }
+
+
+
+  std::vector<SupportReport>
+  Supports::report(const double                         time,
+                   const TrilinosWrappers::MPI::Vector &residual) const
+  {
+    const auto &               supports = fibers.scene.supports;
+    std::vector<SupportReport> result(supports.size());
+    for (unsigned int i = 0; i < supports.size(); ++i)
+      result[i] = {supports[i].name, {}, {}, {}};
+
+    std::vector<double> reactions(3 * supports.size(), 0.);
+    for (const auto &[dof, entry] : prescribed)
+      if (!entry.tangent)
+        {
+          SupportReport &support = result[entry.support];
+          if (!support.held[entry.coordinate])
+            support.displacement[entry.coordinate] = (*entry.value)(time);
+          support.held[entry.coordinate] = true;
+          if (fibers.owned_dofs.is_element(dof))
+            reactions[3 * entry.support + entry.coordinate] += residual(dof);
+        }
+    Utilities::MPI::sum(reactions, fibers.communicator, reactions);
+    for (unsigned int i = 0; i < supports.size(); ++i)
+      for (unsigned int c = 0; c < 3; ++c)
+        result[i].reaction[c] = reactions[3 * i + c];
+    return result;
+  }
+} // namespace Setae

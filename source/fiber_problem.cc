@@ -1,0 +1,550 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 The Setae authors
+
+#include <setae/assembly/interaction.h>
+#include <setae/assembly/load.h>
+#include <setae/base/exceptions.h>
+#include <setae/fiber_problem.h>
+#include <setae/revision.h>
+#include <setae/solvers/newton.h>
+#include <setae/solvers/relaxation.h>
+
+#include <deal.II/lac/sparsity_tools.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+
+namespace Setae
+{
+  using namespace dealii;
+
+  namespace
+  {
+    std::vector<std::string>
+    term_names(const Scene &scene)
+    {
+      std::vector<std::string> names = {"strain"};
+      for (const LoadParameters &load : scene.loads)
+        names.push_back(scene.loads.size() > 1 ? "load (" + load.name + ")" :
+                                                 "load");
+      for (const InteractionParameters &interaction : scene.interactions)
+        names.push_back(scene.interactions.size() > 1 ?
+                          "interaction (" + interaction.name + ")" :
+                          "interaction");
+      return names;
+    }
+  } // namespace
+
+
+
+  FiberProblem::FiberProblem(const Scene & scene,
+                             MPI_Comm      communicator,
+                             std::ostream &out)
+    : scene(scene)
+    , communicator(communicator)
+    , pcout(out, Utilities::MPI::this_mpi_process(communicator) == 0)
+    , timer(communicator, pcout, TimerOutput::never, TimerOutput::wall_times)
+    , fibers(this->scene, communicator)
+    , supports(fibers)
+    , system(fibers)
+    , all_dofs(complete_index_set(fibers.dof_handler.n_dofs()))
+    , solution(fibers.owned_dofs, communicator)
+    , everywhere(fibers.owned_dofs, all_dofs, communicator)
+    , statistics(term_names(scene))
+    , last_field_output(-std::numeric_limits<double>::infinity())
+  {
+    setup_terms();
+    check_initial_gaps();
+  }
+
+
+
+  void
+  FiberProblem::setup_terms()
+  {
+    auto strain_energy = std::make_unique<StrainEnergy>(fibers);
+    strain             = strain_energy.get();
+    terms.push_back(std::move(strain_energy));
+    for (const LoadParameters &load : scene.loads)
+      terms.push_back(std::make_unique<Load>(fibers, load));
+    for (const InteractionParameters &interaction : scene.interactions)
+      terms.push_back(make_interaction(fibers, interaction));
+  }
+
+
+
+  /**
+   * Let the terms look for partners, and give the matrix its pattern if that is
+   * new on any rank.
+   */
+  void
+  FiberProblem::find_pairs(const State &state)
+  {
+    bool changed = system.tangent_matrix.m() == 0;
+    for (const auto &term : terms)
+      if (term->has_search())
+        {
+          TimerOutput::Scope section(timer, "search");
+          changed = term->update_couplings(state) || changed;
+        }
+    if (Utilities::MPI::max(changed ? 1 : 0, communicator) == 1)
+      setup_matrix();
+  }
+
+
+
+  void
+  FiberProblem::setup_matrix()
+  {
+    TimerOutput::Scope section(timer, "setup");
+
+    std::vector<std::pair<unsigned int, unsigned int>> pairs;
+    for (const unsigned int cell : fibers.owned_cells)
+      pairs.emplace_back(cell, cell);
+    for (const auto &term : terms)
+      term->add_couplings(pairs);
+
+    DynamicSparsityPattern               pattern(all_dofs);
+    std::vector<types::global_dof_index> dofs;
+    for (const auto &[first, second] : pairs)
+      {
+        dofs.clear();
+        for (const unsigned int cell : {first, second})
+          for (const auto dof : fibers.cell_dofs[cell])
+            if (dof != numbers::invalid_dof_index)
+              dofs.push_back(dof);
+        supports.at_rest().add_entries_local_to_global(dofs, pattern, false);
+      }
+    SparsityTools::distribute_sparsity_pattern(pattern,
+                                               fibers.owned_dofs,
+                                               communicator,
+                                               all_dofs);
+    system.reinit_matrix(pattern);
+  }
+
+
+
+  Evaluation
+  FiberProblem::evaluate(const Vector &         solution,
+                         const double           time,
+                         const SupportIncrement support_increment)
+  {
+    everywhere        = solution;
+    const State state = fibers.state(everywhere, time);
+    find_pairs(state);
+
+    increment_at_rest = support_increment == SupportIncrement::at_rest;
+    if (!increment_at_rest)
+      increment_constraints = supports.increment_to(time, everywhere);
+
+    Evaluation evaluation;
+    assemble_system(state,
+                    increment_at_rest ? supports.at_rest() :
+                                        increment_constraints,
+                    evaluation);
+    judge(evaluation);
+    return evaluation;
+  }
+
+
+
+  void
+  FiberProblem::assemble_system(const State &                    state,
+                                const AffineConstraints<double> &constraints,
+                                Evaluation &                     evaluation)
+  {
+    system.start(Request::tangent, constraints);
+    bool is_complete = true;
+    evaluation.energies.assign(terms.size(), 0.);
+    for (unsigned int i = 0; i < terms.size(); ++i)
+      {
+        TimerOutput::Scope section(timer, terms[i]->name());
+        try
+          {
+            evaluation.energies[i] =
+              terms[i]->assemble(state, Request::tangent, system);
+          }
+        catch (const TorsionFreeKirchhoff::ExcCollapsedCell &)
+          {
+            is_complete = false;
+          }
+      }
+    system.finish();
+
+    evaluation.is_valid =
+      Utilities::MPI::min(is_complete ? 1 : 0, communicator) == 1;
+    if (!evaluation.is_valid)
+      evaluation.reason = "a cell has collapsed to a point";
+
+    Utilities::MPI::sum(evaluation.energies, communicator, evaluation.energies);
+    for (const double energy : evaluation.energies)
+      evaluation.energy += energy;
+
+    Vector free_residual(system.residual);
+    supports.at_rest().set_zero(free_residual);
+    evaluation.residual_norm = free_residual.l2_norm();
+  }
+
+
+
+  /** Collect the gaps of all terms and ranks, and find what is wrong. */
+  void
+  FiberProblem::judge(Evaluation &evaluation) const
+  {
+    if (!std::isfinite(evaluation.residual_norm) ||
+        !std::isfinite(evaluation.energy))
+      {
+        evaluation.is_valid = false;
+        evaluation.reason   = "the residual is not finite";
+      }
+    evaluation.is_admissible = evaluation.is_valid;
+    for (const auto &term : terms)
+      {
+        GapReport gaps;
+        for (const GapReport &report :
+             Utilities::MPI::all_gather(communicator, term->gaps()))
+          gaps.see(report);
+        evaluation.gaps.see(gaps);
+
+        const double limit = term->smallest_admissible_gap();
+        if (gaps.smallest <= 0. && !(limit > 0.))
+          evaluation.is_valid = false;
+        if (gaps.smallest < limit || !evaluation.is_valid)
+          {
+            evaluation.is_admissible = false;
+            std::ostringstream text;
+            text << "the gap is " << gaps.smallest << " " << where(gaps)
+                 << ", below " << limit;
+            evaluation.reason = text.str();
+          }
+      }
+  }
+
+
+
+  bool
+  FiberProblem::solve(Vector &increment, const double damping)
+  {
+    TimerOutput::Scope section(timer, "solve");
+    auto &             matrix = system.tangent_matrix;
+    if (damping > 0.)
+      {
+        for (const auto i : fibers.owned_dofs)
+          matrix.set(i, i, (1. + damping) * std::abs(matrix.diag_element(i)));
+        matrix.compress(VectorOperation::insert);
+      }
+
+    bool is_solved = true;
+    try
+      {
+        SolverControl                  control;
+        TrilinosWrappers::SolverDirect solver(
+          control,
+          TrilinosWrappers::SolverDirect::AdditionalData(
+            false, scene.newton.linear_solver));
+        solver.solve(matrix, increment, system.right_hand_side);
+      }
+    catch (const std::exception &)
+      {
+        is_solved = false;
+      }
+    is_solved = is_solved && std::isfinite(increment.l2_norm());
+    if (Utilities::MPI::min(is_solved ? 1 : 0, communicator) == 0)
+      return false;
+    (increment_at_rest ? supports.at_rest() : increment_constraints)
+      .distribute(increment);
+    return true;
+  }
+
+
+
+  double
+  FiberProblem::largest_displacement(const Vector &increment) const
+  {
+    double largest = 0.;
+    for (const unsigned int cell : fibers.owned_cells)
+      for (const unsigned int shape : {0u, 2u})
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            const auto dof = fibers.cell_dofs[cell][3 * shape + c];
+            if (fibers.owned_dofs.is_element(dof))
+              largest = std::max(largest, std::abs(increment(dof)));
+          }
+    return Utilities::MPI::max(largest, communicator);
+  }
+
+
+
+  void
+  FiberProblem::check_initial_gaps()
+  {
+    if (scene.interactions.empty())
+      return;
+    const Evaluation initial =
+      evaluate(solution, 0., SupportIncrement::at_rest);
+    AssertThrow(initial.gaps.smallest > 0.,
+                ExcInput("Fibers overlap initially: the gap " +
+                         where(initial.gaps) + " is " +
+                         std::to_string(initial.gaps.smallest) +
+                         ", but must be positive."));
+  }
+
+
+
+  std::string
+  FiberProblem::where(const GapReport &gaps) const
+  {
+    const auto place = [this](const unsigned int cell) {
+      const Fiber &f = fibers.fibers[fibers.fiber_of_cell[cell]];
+      return "'" + f.name + "'";
+    };
+    const Fiber &f = fibers.fibers[fibers.fiber_of_cell[gaps.source]];
+    const auto   i = gaps.source - f.first_cell;
+    std::ostringstream text;
+    text << "between " << place(gaps.source) << " (at s = "
+         << f.arc_length[i] +
+              gaps.x * (f.arc_length[i + 1] - f.arc_length[i])
+         << ") and " << place(gaps.target);
+    return text.str();
+  }
+
+
+
+  State
+  FiberProblem::state() const
+  {
+    everywhere = solution;
+    return fibers.state(everywhere, 0.);
+  }
+
+
+
+  SolverResult
+  FiberProblem::solve_step(LoadStepping &steps, StepRecord &record)
+  {
+    const Newton::Log log = [this](const IterationReport &report) {
+      if (scene.newton.log_iterations)
+        pcout << "    iteration " << std::setw(3) << report.iteration
+              << "  residual " << std::scientific << std::setprecision(3)
+              << report.residual_norm << "  increment "
+              << report.increment_norm << "  factor " << report.factor
+              << "  gap " << report.smallest_gap << std::defaultfloat
+              << std::endl;
+    };
+
+    const Newton newton(scene.newton, log);
+    for (;;)
+      {
+        record.time      = steps.next_time();
+        record.step_size = steps.step_size();
+        const SolverResult result = newton.solve(*this, solution, record.time);
+        if (result.converged)
+          {
+            steps.accept(result.n_iterations);
+            return result;
+          }
+        record.n_iterations_rejected += result.n_iterations;
+        ++record.n_rejected;
+        if (scene.newton.log_iterations)
+          pcout << "    rejected: " << result.reason << std::endl;
+        if (steps.reject())
+          continue;
+
+        SolverResult relaxed = result;
+        if (scene.load_stepping.pass_instabilities)
+          relaxed = Relaxation(scene.newton, log)
+                      .solve(*this, solution, record.time);
+        std::ostringstream message;
+        message << "The load step from time " << steps.time() << " to "
+                << record.time << " has no solution: " << relaxed.reason
+                << ". The states before it are on disk.";
+        AssertThrow(relaxed.converged, ExcRun(message.str()));
+        record.is_snap = true;
+        steps.restart();
+        return relaxed;
+      }
+  }
+
+
+
+  RunSummary
+  FiberProblem::run(const std::function<void(const StepRecord &)> &visit)
+  {
+    Timer cpu_clock;
+    summary = {};
+    wall_clock.restart();
+
+    // The fibers as they are given need not be in equilibrium.
+    LoadStepping steps(scene.load_stepping, scene.constants);
+    const auto   add = [&](StepRecord record, const SolverResult &result) {
+      record.step             = summary.n_steps++;
+      record.evaluation       = result.evaluation;
+      record.n_iterations     = result.n_iterations;
+      record.has_interactions = !scene.interactions.empty();
+      record.supports         = supports.report(record.time, system.residual);
+      record.wall_time        = wall_clock.wall_time();
+      summary.n_iterations += record.n_iterations + record.n_iterations_rejected;
+      summary.n_rejected_steps += record.n_rejected;
+      summary.n_rejected_iterations += record.n_iterations_rejected;
+      summary.n_snaps += record.is_snap ? 1 : 0;
+      summary.smallest_gap =
+        std::min(summary.smallest_gap, result.evaluation.gaps.smallest);
+      visit(record);
+    };
+
+    const SolverResult initial =
+      Newton(scene.newton, [](const IterationReport &) {})
+        .solve(*this, solution, 0.);
+    AssertThrow(initial.converged,
+                ExcRun("There is no equilibrium at time 0: " + initial.reason +
+                       "."));
+    add(StepRecord{}, initial);
+
+    while (!steps.is_finished())
+      {
+        StepRecord         record{};
+        const SolverResult result = solve_step(steps, record);
+        add(record, result);
+      }
+    summary.wall_time = wall_clock.wall_time();
+    summary.cpu_time  = cpu_clock.cpu_time();
+    return summary;
+  }
+
+
+
+  RunSummary
+  FiberProblem::run()
+  {
+    prepare_directory();
+    print_header();
+    run([this](const StepRecord &record) {
+      output_results(record);
+      print_step(record);
+    });
+    print_summary(summary);
+    return summary;
+  }
+
+
+
+  void
+  FiberProblem::prepare_directory() const
+  {
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      {
+        const std::filesystem::path directory(scene.output.directory);
+        std::error_code             error;
+        std::filesystem::create_directories(directory, error);
+        std::ofstream parameters(directory / "parameters.prm");
+        parameters << scene.used_parameters;
+        AssertThrow(parameters.good(),
+                    ExcParameter("output/directory",
+                                 scene.output.directory,
+                                 "a directory that can be written"));
+
+        // What an earlier run left must not mix with this one.
+        for (const auto &entry : std::filesystem::directory_iterator(directory))
+          {
+            const std::string name      = entry.path().filename().string();
+            const std::string extension = entry.path().extension().string();
+            if (name == "statistics.txt" || extension == ".pvd" ||
+                extension == ".vtu" || extension == ".pvtu")
+              std::filesystem::remove(entry.path());
+          }
+      }
+    MPI_Barrier(communicator);
+  }
+
+
+
+  void
+  FiberProblem::output_results(const StepRecord &record)
+  {
+    TimerOutput::Scope section(timer, "output");
+    statistics.add(record);
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      statistics.write(scene.output.directory);
+
+    const bool is_last  = record.time >= scene.load_stepping.end_time;
+    const bool is_due   = record.time >= last_field_output +
+                                         scene.output.interval * (1. - 1e-10);
+    if (!scene.output.fields || !(is_due || is_last || record.is_snap))
+      return;
+    if (!visualization)
+      visualization =
+        std::make_unique<Visualization>(fibers, scene.output.directory);
+    last_field_output = record.time;
+    everywhere        = solution;
+    visualization->write(fibers.state(everywhere, record.time), *strain, terms);
+  }
+
+
+
+  void
+  FiberProblem::print_header()
+  {
+    pcout << "Setae " << version << " (" << git_revision << "), deal.II "
+          << DEAL_II_PACKAGE_VERSION << ", "
+          << Utilities::MPI::n_mpi_processes(communicator) << " rank(s)\n"
+          << (scene.title.empty() ? "" : scene.title + "\n")
+          << fibers.fibers.size() << " fiber(s), " << fibers.initial.size()
+          << " cells, " << fibers.dof_handler.n_dofs()
+          << " degrees of freedom, results in " << scene.output.directory
+          << "\n"
+          << std::endl;
+  }
+
+
+
+  void
+  FiberProblem::print_step(const StepRecord &record)
+  {
+    const double progress = record.time / scene.load_stepping.end_time;
+    std::ostringstream line;
+    line << "step " << std::setw(4) << record.step << "  t " << std::fixed
+         << std::setprecision(6) << record.time << "  dt " << std::scientific
+         << std::setprecision(1) << record.step_size << "  iterations "
+         << std::setw(2) << record.n_iterations;
+    if (record.n_rejected > 0)
+      line << " (+" << record.n_iterations_rejected << " rejected)";
+    line << std::setprecision(4);
+    if (record.has_interactions)
+      line << "  gap " << record.evaluation.gaps.smallest;
+    line << "  energy";
+    const auto names = term_names(scene);
+    for (unsigned int i = 0; i < names.size(); ++i)
+      line << ' ' << names[i] << ' ' << record.evaluation.energies[i];
+    line << std::fixed << std::setprecision(1) << "  " << record.wall_time
+         << " s";
+    if (progress > 0. && progress < 1.)
+      line << " of about " << record.wall_time / progress << " s";
+    if (record.is_snap)
+      line << "  [snap to the next stable state]";
+    pcout << line.str() << std::endl;
+  }
+
+
+
+  void
+  FiberProblem::print_summary(const RunSummary &summary)
+  {
+    pcout << '\n'
+          << summary.n_steps << " steps, " << summary.n_iterations
+          << " iterations (" << summary.n_rejected_iterations << " of them in "
+          << summary.n_rejected_steps << " rejected steps), "
+          << summary.n_snaps << " instabilities passed\n";
+    if (!scene.interactions.empty())
+      {
+        pcout << "Smallest gap of all steps: " << summary.smallest_gap << '\n';
+        for (const InteractionParameters &interaction : scene.interactions)
+          if (interaction.regularization > 0.)
+            pcout << "Regularized below " << interaction.regularization
+                  << ": no step has a smaller gap, so the solution does not "
+                     "depend on it\n";
+      }
+    timer.print_summary();
+  }
+} // namespace Setae

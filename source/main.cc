@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 The Setae authors
+
+#include <setae/base/exceptions.h>
+#include <setae/fiber_problem.h>
+#include <setae/revision.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+namespace
+{
+  const char *const usage =
+    "Usage: setae [options] SCENE.prm\n"
+    "       mpirun -np N setae [options] SCENE.prm\n"
+    "\n"
+    "Simulates molecular interactions between slender elastic fibers.\n"
+    "\n"
+    "Options:\n"
+    "  --set \"SECTION/NAME=VALUE\"  override a parameter of the scene; may be\n"
+    "                              given more than once\n"
+    "  --output DIR                write results to DIR\n"
+    "  --print-parameters          print all parameters with their defaults,\n"
+    "                              allowed values and documentation\n"
+    "  --version                   print the version\n"
+    "  --help                      print this text\n";
+
+  struct CommandLine
+  {
+    enum class Action
+    {
+      run,
+      help,
+      version,
+      print_parameters
+    };
+
+    Action                   action = Action::run;
+    std::string              scene;
+    std::vector<std::string> overrides;
+  };
+
+
+
+  CommandLine
+  parse(const std::vector<std::string> &arguments)
+  {
+    using Setae::ExcInput;
+
+    CommandLine result;
+    for (unsigned int i = 0; i < arguments.size(); ++i)
+      {
+        const std::string &argument = arguments[i];
+        const auto         value    = [&]() {
+          AssertThrow(i + 1 < arguments.size(),
+                      ExcInput("The option '" + argument + "' needs a value."));
+          return arguments[++i];
+        };
+        if (argument == "--help" || argument == "-h")
+          result.action = CommandLine::Action::help;
+        else if (argument == "--version")
+          result.action = CommandLine::Action::version;
+        else if (argument == "--print-parameters")
+          result.action = CommandLine::Action::print_parameters;
+        else if (argument == "--set")
+          result.overrides.push_back(value());
+        else if (argument == "--output")
+          result.overrides.push_back("output/directory=" + value());
+        else
+          {
+            AssertThrow(argument.empty() || argument[0] != '-',
+                        ExcInput("There is no option '" + argument +
+                                 "'; allowed are --set, --output, "
+                                 "--print-parameters, --version, --help."));
+            AssertThrow(result.scene.empty(),
+                        ExcInput("There is more than one scene: '" +
+                                 result.scene + "' and '" + argument + "'."));
+            result.scene = argument;
+          }
+      }
+    AssertThrow(result.action != CommandLine::Action::run ||
+                  !result.scene.empty(),
+                ExcInput("There is no scene to run; try --help."));
+    return result;
+  }
+
+
+
+  std::string
+  read_file(const std::string &name)
+  {
+    std::ifstream      stream(name);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    AssertThrow(stream.good() && !text.str().empty(),
+                Setae::ExcInput("The scene '" + name + "' cannot be read."));
+    return text.str();
+  }
+
+
+
+  void
+  run(const std::vector<std::string> &arguments)
+  {
+    const CommandLine command = parse(arguments);
+    const bool        is_root =
+      dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+    switch (command.action)
+      {
+        case CommandLine::Action::help:
+          if (is_root)
+            std::cout << usage;
+          break;
+        case CommandLine::Action::version:
+          if (is_root)
+            std::cout << "setae " << Setae::version << " ("
+                      << Setae::git_revision << "), deal.II "
+                      << DEAL_II_PACKAGE_VERSION << '\n';
+          break;
+        case CommandLine::Action::print_parameters:
+          if (is_root)
+            std::cout << Setae::Scene::documentation();
+          break;
+        case CommandLine::Action::run:
+          Setae::FiberProblem(Setae::Scene::read(read_file(command.scene),
+                                                 command.scene,
+                                                 command.overrides),
+                              MPI_COMM_WORLD,
+                              std::cout)
+            .run();
+          break;
+      }
+  }
+
+
+
+  /** The sentence that an exception carries, in one line. */
+  std::string
+  sentence(const std::exception &exception)
+  {
+    std::ostringstream text;
+    if (const auto *own =
+          dynamic_cast<const dealii::ExceptionBase *>(&exception))
+      own->print_info(text);
+    else
+      text << exception.what();
+
+    std::istringstream words(text.str());
+    std::string        line, word;
+    while (words >> word)
+      line += (line.empty() ? "" : " ") + word;
+    return line;
+  }
+} // namespace
+
+
+
+int
+main(int argc, char *argv[])
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  try
+    {
+      run({argv + 1, argv + argc});
+    }
+  catch (const std::exception &exception)
+    {
+      if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+        std::cerr << "setae: " << sentence(exception) << std::endl;
+      return 1;
+    }
+  return 0;
+}

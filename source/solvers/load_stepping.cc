@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 The Setae authors
+
+#include <setae/base/exceptions.h>
+#include <setae/solvers/load_stepping.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Setae
+{
+  LoadStepping::LoadStepping(const LoadSteppingParameters &parameters,
+                             const Constants &             constants)
+    : parameters(parameters)
+    , largest_step("load stepping/largest step",
+                   parameters.largest_step,
+                   "t",
+                   constants)
+    , size(parameters.first_step)
+  {
+    AssertThrow(largest_step(0.) > 0.,
+                ExcParameter("load stepping/largest step",
+                             parameters.largest_step,
+                             "positive"));
+  }
+
+
+
+  double
+  LoadStepping::next_time() const
+  {
+    const double step =
+      std::max(std::min(size, largest_step(current_time)),
+               std::min(size, parameters.smallest_step));
+    const double left = parameters.end_time - current_time;
+
+    // No tiny last step: the remainder is taken at once or in two halves.
+    if (left <= step * (1. + 1e-10))
+      return parameters.end_time;
+    return current_time + (left < 2. * step ? .5 * left : step);
+  }
+
+
+
+  void
+  LoadStepping::accept(const unsigned int n_iterations)
+  {
+    const double step = step_size();
+    current_time      = next_time();
+
+    // Newton's method converges in a number of iterations that grows slowly with
+    // the size of the step; the square keeps the reaction gentle.
+    const double ratio =
+      static_cast<double>(parameters.target_n_iterations) / n_iterations;
+    size = step * std::clamp(ratio * ratio, .5, parameters.growth);
+    size = std::max(size, parameters.smallest_step);
+  }
+
+
+
+  bool
+  LoadStepping::reject()
+  {
+    constexpr double reduction = .25;
+
+    if (step_size() <= parameters.smallest_step * (1. + 1e-10))
+      return false;
+    size = std::max(reduction * step_size(), parameters.smallest_step);
+    return true;
+  }
+
+
+
+  void
+  LoadStepping::restart()
+  {
+    current_time = next_time();
+    size         = parameters.first_step;
+  }
+} // namespace Setae
