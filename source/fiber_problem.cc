@@ -225,17 +225,9 @@ namespace Setae
 
 
   bool
-  FiberProblem::solve(Vector &increment, const double damping)
+  FiberProblem::solve(Vector &increment)
   {
     TimerOutput::Scope section(timer, "solve");
-    auto &             matrix = system.tangent_matrix;
-    if (damping > 0.)
-      {
-        for (const auto i : fibers.owned_dofs)
-          matrix.set(i, i, (1. + damping) * std::abs(matrix.diag_element(i)));
-        matrix.compress(VectorOperation::insert);
-      }
-
     bool is_solved = true;
     try
       {
@@ -244,7 +236,9 @@ namespace Setae
           control,
           TrilinosWrappers::SolverDirect::AdditionalData(
             false, scene.newton.linear_solver));
-        solver.solve(matrix, increment, system.right_hand_side);
+        solver.solve(system.tangent_matrix,
+                     increment,
+                     system.right_hand_side);
       }
     catch (const std::exception &)
       {
@@ -256,6 +250,39 @@ namespace Setae
     (increment_at_rest ? supports.at_rest() : increment_constraints)
       .distribute(increment);
     return true;
+  }
+
+
+
+  double
+  FiberProblem::add_damping(const Vector &coefficients, const Vector &motion)
+  {
+    auto & matrix = system.tangent_matrix;
+    Vector force(motion);
+    force.scale(coefficients);
+    for (const auto i : fibers.owned_dofs)
+      matrix.set(i, i, matrix.diag_element(i) + coefficients(i));
+    matrix.compress(VectorOperation::insert);
+
+    Vector free_force(force);
+    supports.at_rest().set_zero(free_force);
+    system.right_hand_side -= free_force;
+
+    free_force += system.residual;
+    supports.at_rest().set_zero(free_force);
+    return free_force.l2_norm();
+  }
+
+
+
+  FiberProblem::Vector
+  FiberProblem::diagonal() const
+  {
+    Vector result(fibers.owned_dofs, communicator);
+    for (const auto i : fibers.owned_dofs)
+      result(i) = std::abs(system.tangent_matrix.diag_element(i));
+    result.compress(VectorOperation::insert);
+    return result;
   }
 
 

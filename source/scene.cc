@@ -369,10 +369,10 @@ namespace Setae
             "load stepping/smallest step",
             steps.smallest_step,
             "positive");
-      check(steps.first_step >= steps.smallest_step,
+      check(steps.first_step > 0.,
             "load stepping/first step",
             steps.first_step,
-            "at least the smallest step");
+            "positive");
       check(steps.growth >= 1.,
             "load stepping/growth",
             steps.growth,

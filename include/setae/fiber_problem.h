@@ -127,7 +127,13 @@ namespace Setae
     judge(Evaluation &evaluation) const;
 
     bool
-    solve(Vector &increment, const double damping) override;
+    solve(Vector &increment) override;
+
+    double
+    add_damping(const Vector &coefficients, const Vector &motion) override;
+
+    Vector
+    diagonal() const override;
 
     double
     largest_displacement(const Vector &increment) const override;

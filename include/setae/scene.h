@@ -101,8 +101,8 @@ namespace Setae
     double       first_step      = .1;
     std::string  largest_step    = "1";
     double       smallest_step   = 1e-4;
-    double       growth          = 2.;
-    unsigned int target_n_iterations = 8;
+    double       growth          = 4.;
+    unsigned int target_n_iterations = 15;
     bool         pass_instabilities  = true;
 
     void

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 The Setae authors
 
-#include <setae/beams/torsion_free_kirchhoff.h>
-
 #include <deal.II/base/quadrature_lib.h>
+
+#include <setae/beams/torsion_free_kirchhoff.h>
 
 namespace Setae
 {
@@ -55,7 +55,7 @@ namespace Setae
              outer_product(a, q) - outer_product((c / A2) * b, b);
 
         const double ab_product = c * (a * b) / A2;
-        ab = outer_product(a,
+        ab                      = outer_product(a,
                            (2. * ab_product / A) * a - (c / A2) * b -
                              (2. / A2) * cross_product_3d(m, a));
 
@@ -97,7 +97,7 @@ namespace Setae
                                              const double         x,
                                              const double         stiffness)
     : Site(reference, x)
-    , curvature_0(cross_product_3d(first_0, second_0) / (J * J))
+    , curvature_0(curvature(*this, Shape<Tensor<1, 3>>()).value)
     , stiffness(stiffness / J)
   {}
 
@@ -112,7 +112,7 @@ namespace Setae
 
 
 
-  TorsionFreeKirchhoff::TorsionFreeKirchhoff(const HermiteCell<> &   reference,
+  TorsionFreeKirchhoff::TorsionFreeKirchhoff(const HermiteCell<>    &reference,
                                              const SectionStiffness &stiffness,
                                              const unsigned int n_gauss_points)
     : reference(reference)
@@ -124,6 +124,7 @@ namespace Setae
     AssertThrow(stiffness.axial >= 0. && std::isfinite(stiffness.axial) &&
                   stiffness.bending >= 0. && std::isfinite(stiffness.bending),
                 ExcInvalidStiffness());
+    Assert(n_gauss_points >= 2, dealii::ExcLowerRange(n_gauss_points, 2));
 
     // Exact where J is a polynomial of degree 5 or less: on straight cells J is
     // constant or, with a graded parametrization, quadratic.
@@ -152,13 +153,16 @@ namespace Setae
   void
   TorsionFreeKirchhoff::add(const HermiteCell<> &displacement,
                             const Request        request,
-                            LocalSystem<12> &    local) const
+                            LocalSystem<12>     &local) const
   {
-    const Shape<Tensor<1, 3>> u = reduce(displacement);
+    const Shape<Tensor<1, 3>> u = reduce_displacement(displacement);
     ReducedSystem             system;
 
-    local.energy += add_membrane(u, request, system);
-    local.energy += add_bending(u, request, system);
+    // If one of them throws, local has not been touched.
+    const double membrane_energy = add_membrane(u, request, system);
+    const double bending_energy  = add_bending(u, request, system);
+
+    local.energy += membrane_energy + bending_energy;
 
     if (request >= Request::residual)
       for (unsigned int a = 0; a < Hermite::n_shapes; ++a)
@@ -186,7 +190,7 @@ namespace Setae
   double
   TorsionFreeKirchhoff::add_membrane(const Shape<Tensor<1, 3>> &displacement,
                                      const Request              request,
-                                     ReducedSystem &            system) const
+                                     ReducedSystem             &system) const
   {
     std::array<AxialStrain<double>, 3> axial;
     Tensor<1, 3>                       strain;
@@ -218,7 +222,8 @@ namespace Setae
       {
         const Shape<double> &shape = strain_sites[i].first;
         const Tensor<1, 3>   t     = axial[i].derivative / axial[i].length;
-        const double geometric = force[i] / (axial[i].length * strain_sites[i].J);
+        const double         geometric =
+          force[i] / (axial[i].length * strain_sites[i].J);
         for (unsigned int q = 0; q < n_shapes; ++q)
           {
             Tensor<1, 3> v = (-geometric * shape[q]) * t;
@@ -240,7 +245,7 @@ namespace Setae
   double
   TorsionFreeKirchhoff::add_bending(const Shape<Tensor<1, 3>> &displacement,
                                     const Request              request,
-                                    ReducedSystem &            system) const
+                                    ReducedSystem             &system) const
   {
     double energy = 0.;
     for (const GaussSite &site : gauss_sites)
@@ -263,8 +268,9 @@ namespace Setae
         if (request == Request::residual)
           continue;
 
-        const BendingHessian H(k.a, k.b, k.square, k.value, moment, site.stiffness);
-        const Tensor<2, 3>   ba = transpose(H.ab);
+        const BendingHessian H(
+          k.a, k.b, k.square, k.value, moment, site.stiffness);
+        const Tensor<2, 3> ba = transpose(H.ab);
         for (unsigned int q = 0; q < n_shapes; ++q)
           {
             const Tensor<2, 3> column_a =
@@ -285,8 +291,8 @@ namespace Setae
   TorsionFreeKirchhoff::section_forces(const HermiteCell<> &displacement,
                                        const double         x) const
   {
-    const Shape<Tensor<1, 3>>   u = reduce(displacement);
-    const std::array<double, 3> L = parabolas(x);
+    const Shape<Tensor<1, 3>>   u      = reduce_displacement(displacement);
+    const std::array<double, 3> L      = parabolas(x);
     double                      strain = 0.;
     for (unsigned int i = 0; i < 3; ++i)
       strain += L[i] * axial_strain(strain_sites[i], u).value;

@@ -5,7 +5,7 @@
 #include <setae/solvers/load_stepping.h>
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
 namespace Setae
 {
@@ -29,9 +29,7 @@ namespace Setae
   double
   LoadStepping::next_time() const
   {
-    const double step =
-      std::max(std::min(size, largest_step(current_time)),
-               std::min(size, parameters.smallest_step));
+    const double step = std::min(size, largest_step(current_time));
     const double left = parameters.end_time - current_time;
 
     // No tiny last step: the remainder is taken at once or in two halves.
@@ -53,7 +51,13 @@ namespace Setae
     const double ratio =
       static_cast<double>(parameters.target_n_iterations) / n_iterations;
     size = step * std::clamp(ratio * ratio, .5, parameters.growth);
-    size = std::max(size, parameters.smallest_step);
+
+    // Where a longer step has failed, close in on the place by bisection.
+    if (current_time >= failed_time)
+      failed_time = std::numeric_limits<double>::infinity();
+    size = std::min(size,
+                    std::max(.5 * (failed_time - current_time),
+                             parameters.smallest_step));
   }
 
 
@@ -65,7 +69,8 @@ namespace Setae
 
     if (step_size() <= parameters.smallest_step * (1. + 1e-10))
       return false;
-    size = std::max(reduction * step_size(), parameters.smallest_step);
+    failed_time = next_time();
+    size        = std::max(reduction * step_size(), parameters.smallest_step);
     return true;
   }
 
@@ -75,6 +80,7 @@ namespace Setae
   LoadStepping::restart()
   {
     current_time = next_time();
+    failed_time  = std::numeric_limits<double>::infinity();
     size         = parameters.first_step;
   }
 } // namespace Setae

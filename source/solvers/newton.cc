@@ -19,8 +19,9 @@ namespace Setae
                 Vector &         solution,
                 const double     time) const
   {
-    // Halving this often without success means that the direction is useless.
-    constexpr unsigned int max_n_halvings = 8;
+    // An increment that helps only when it is much shorter than it should be
+    // belongs to a load step that is too long: giving up soon is cheaper.
+    constexpr unsigned int max_n_halvings = 3;
 
     SolverResult result;
     Vector       current(solution), increment(solution), trial(solution);
@@ -31,7 +32,7 @@ namespace Setae
       {
         const bool is_predictor = result.n_iterations == 0;
         ++result.n_iterations;
-        if (!system.solve(increment, 0.))
+        if (!system.solve(increment))
           {
             result.reason = "the tangent matrix is singular";
             return result;

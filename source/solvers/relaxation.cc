@@ -3,7 +3,9 @@
 
 #include <setae/solvers/relaxation.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Setae
 {
@@ -20,63 +22,45 @@ namespace Setae
                     Vector &         solution,
                     const double     time) const
   {
-    constexpr double       first_damping = 1e-3, largest_damping = 1e3;
-    constexpr unsigned int max_n_steps = 300;
+    constexpr double       first_step = 1e3, smallest_step = 1e-6;
+    constexpr double       growth = 4., reduction = .125;
+    constexpr unsigned int max_n_iterations = 500;
 
     SolverResult result;
-    Vector       current(solution), increment(solution), trial(solution);
+    Vector       current(solution), coefficients(solution);
     Evaluation   state =
       system.evaluate(current, time, SupportIncrement::to_prescribed);
-    bool   moves_supports = true;
-    double damping        = first_damping;
+    const Vector diagonal  = system.diagonal();
+    double       step_size = first_step;
 
-    while (result.n_iterations < max_n_steps)
+    // Moving the supports may cost energy; from then on it has to fall, up to
+    // what round-off leaves of a difference of energies.
+    double upper_bound = std::numeric_limits<double>::infinity();
+
+    while (result.n_iterations < max_n_iterations)
       {
-        ++result.n_iterations;
-        const bool is_solved = system.solve(increment, damping);
-        trial                = current;
-        trial.add(1., increment);
-        const Evaluation next =
-          is_solved ?
-            system.evaluate(trial, time, SupportIncrement::at_rest) :
-            Evaluation();
-
-        // Moving the supports costs energy; from then on it has to fall, up to
-        // what round-off leaves of a difference of energies.
-        const double round_off = 1e-13 * (std::abs(state.energy) + 1e-300);
-        const bool   is_lower  = moves_supports ||
-                              next.energy <= state.energy + round_off;
-        if (!(is_solved && next.is_admissible && is_lower))
+        Vector next(current);
+        coefficients.equ(1. / step_size, diagonal);
+        const Step step =
+          advance(system, next, coefficients, time, upper_bound, result);
+        if (!step.succeeded)
           {
-            damping *= 8.;
-            if (damping > largest_damping)
+            step_size *= reduction;
+            if (step_size < smallest_step)
               {
                 result.reason = "the overdamped motion finds no state of lower "
                                 "energy";
                 return result;
               }
-            // The matrix of the state that the motion goes on from.
-            state = system.evaluate(current,
-                                    time,
-                                    moves_supports ?
-                                      SupportIncrement::to_prescribed :
-                                      SupportIncrement::at_rest);
             continue;
           }
 
-        moves_supports = false;
-        current        = trial;
-        state          = next;
-        damping /= 4.;
-
-        const double increment_norm = increment.l2_norm();
-        log({result.n_iterations,
-             state.residual_norm,
-             increment_norm,
-             1.,
-             state.gaps.smallest});
+        current     = next;
+        state       = step.evaluation;
+        upper_bound = state.energy + 1e-12 * std::abs(state.energy);
+        step_size *= growth;
         if (state.residual_norm < parameters.residual_tolerance &&
-            increment_norm < parameters.increment_tolerance)
+            step.increment_norm < parameters.increment_tolerance)
           {
             result.evaluation = state;
             result.converged  = true;
@@ -85,7 +69,50 @@ namespace Setae
           }
       }
     result.reason = "the overdamped motion does not come to rest in " +
-                    std::to_string(max_n_steps) + " steps";
+                    std::to_string(max_n_iterations) + " iterations";
     return result;
+  }
+
+
+
+  Relaxation::Step
+  Relaxation::advance(NonlinearSystem &system,
+                      Vector &         current,
+                      const Vector &   coefficients,
+                      const double     time,
+                      const double     upper_bound,
+                      SolverResult &   result) const
+  {
+    // Fibers that turn stretch at first; a second iteration takes that back.
+    constexpr unsigned int max_n_iterations = 3;
+
+    Step   step;
+    Vector motion(current), increment(current);
+    motion = 0.;
+    system.evaluate(current, time, SupportIncrement::to_prescribed);
+    system.add_damping(coefficients, motion);
+
+    for (unsigned int i = 0; i < max_n_iterations && !step.succeeded; ++i)
+      {
+        ++result.n_iterations;
+        if (!system.solve(increment))
+          return step;
+        current += increment;
+        motion += increment;
+        step.increment_norm = increment.l2_norm();
+        step.evaluation =
+          system.evaluate(current, time, SupportIncrement::at_rest);
+        if (!step.evaluation.is_admissible)
+          return step;
+        step.succeeded = step.evaluation.energy <= upper_bound;
+        log({result.n_iterations,
+             step.evaluation.residual_norm,
+             step.increment_norm,
+             1.,
+             step.evaluation.gaps.smallest});
+        if (!step.succeeded)
+          system.add_damping(coefficients, motion);
+      }
+    return step;
   }
 } // namespace Setae

@@ -4,12 +4,12 @@
 #ifndef setae_tests_beams_cantilever_h
 #define setae_tests_beams_cantilever_h
 
-#include <setae/beams/torsion_free_kirchhoff.h>
-
 #include <deal.II/lac/lapack_full_matrix.h>
 #include <deal.II/lac/vector.h>
 
-#include <vector>
+#include <setae/beams/torsion_free_kirchhoff.h>
+
+#include <algorithm>
 
 namespace Setae::Test
 {
@@ -135,9 +135,9 @@ namespace Setae::Test
           residual[t + c] -= m_x_a[c] / A;
 
           Tensor<1, 3> da;
-          da[c] = 1.;
-          const Tensor<1, 3> column =
-            cross_product_3d(load.moment, da) / A - (2. * a[c] / (A * A)) * m_x_a;
+          da[c]                     = 1.;
+          const Tensor<1, 3> column = cross_product_3d(load.moment, da) / A -
+                                      (2. * a[c] / (A * A)) * m_x_a;
           for (unsigned int e = 0; e < 3; ++e)
             matrix(t + e, t + c) -= column[e];
         }

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <setae/kinematics/hermite.h>
 #include <setae/search/neighbor_list.h>
 
 #include <algorithm>
@@ -17,11 +16,13 @@
 #include <utility>
 #include <vector>
 
+#include "random_cells.h"
+
 using namespace Setae;
+using namespace RandomCells;
 
 namespace
 {
-  using Cells = std::vector<NeighborList::ControlPoints>;
   using Pairs = std::set<std::pair<unsigned int, unsigned int>>;
 
   const NeighborList::Admissible different = [](const unsigned int source,
@@ -29,95 +30,12 @@ namespace
     return source != target;
   };
 
-  Tensor<1, 3>
-  random_direction(std::mt19937 &random)
-  {
-    std::normal_distribution<double> normal;
-    Tensor<1, 3>                     result;
-    for (unsigned int c = 0; c < 3; ++c)
-      result[c] = normal(random);
-    return result / result.norm();
-  }
-
   std::vector<unsigned int>
-  iota(const unsigned int n)
+  all_indices(const unsigned int n)
   {
     std::vector<unsigned int> result(n);
     std::iota(result.begin(), result.end(), 0);
     return result;
-  }
-
-  /**
-   * Cells in a box of the given edge, with lengths from 0.02 to 20 and end
-   * tangents of any direction and of a magnitude that bends some into loops.
-   */
-  Cells
-  random_curved_cells(const unsigned int n,
-                      const double       edge,
-                      std::mt19937      &random)
-  {
-    std::uniform_real_distribution<double> coordinate(0., edge);
-    std::uniform_real_distribution<double> exponent(std::log(0.02),
-                                                    std::log(20.));
-    std::uniform_real_distribution<double> magnitude(0., 2.);
-    Cells                                  cells;
-    for (unsigned int i = 0; i < n; ++i)
-      {
-        HermiteCell<> cell;
-        cell.h                 = std::exp(exponent(random));
-        auto &[d1, t1, d2, t2] = cell.coefficients;
-        for (unsigned int c = 0; c < 3; ++c)
-          d1[c] = coordinate(random);
-        d2 = d1 + cell.h * random_direction(random);
-        t1 = magnitude(random) * random_direction(random);
-        t2 = magnitude(random) * random_direction(random);
-        cells.push_back(cell.control_points());
-      }
-    return cells;
-  }
-
-  /** A straight cell with constant speed. */
-  NeighborList::ControlPoints
-  straight_cell(const Tensor<1, 3> &begin, const Tensor<1, 3> &end)
-  {
-    return {{begin,
-             (2. / 3.) * begin + (1. / 3.) * end,
-             (1. / 3.) * begin + (2. / 3.) * end,
-             end}};
-  }
-
-  Cells
-  random_straight_cells(const unsigned int n,
-                        const double       length,
-                        const double       edge,
-                        std::mt19937      &random)
-  {
-    std::uniform_real_distribution<double> coordinate(0., edge);
-    Cells                                  cells;
-    for (unsigned int i = 0; i < n; ++i)
-      {
-        Tensor<1, 3> begin;
-        for (unsigned int c = 0; c < 3; ++c)
-          begin[c] = coordinate(random);
-        cells.push_back(
-          straight_cell(begin, begin + length * random_direction(random)));
-      }
-    return cells;
-  }
-
-  /** Points on a cell, from the Bernstein polynomials. */
-  std::vector<std::array<double, 3>>
-  sample(const NeighborList::ControlPoints &p, const unsigned int n)
-  {
-    std::vector<std::array<double, 3>> points(n + 1);
-    for (unsigned int i = 0; i <= n; ++i)
-      {
-        const double x = double(i) / n, y = 1. - x;
-        for (unsigned int c = 0; c < 3; ++c)
-          points[i][c] = y * y * y * p[0][c] + 3. * x * y * y * p[1][c] +
-                         3. * x * x * y * p[2][c] + x * x * x * p[3][c];
-      }
-    return points;
   }
 
   /**
@@ -155,31 +73,6 @@ namespace
     return pairs;
   }
 
-  /**
-   * The distance of two straight cells: that of a point of the first from the
-   * second is convex, so its minimum can be bracketed.
-   */
-  double
-  distance_of_straight_cells(const NeighborList::ControlPoints &first,
-                             const NeighborList::ControlPoints &second)
-  {
-    const Tensor<1, 3> u = first[3] - first[0], v = second[3] - second[0];
-    const auto         distance_from_second = [&](const double s) {
-      const Tensor<1, 3> r = first[0] + s * u - second[0];
-      return (r - std::clamp(r * v / (v * v), 0., 1.) * v).norm();
-    };
-    double left = 0., right = 1.;
-    while (right - left > 1e-9)
-      {
-        const double a = (2. * left + right) / 3., b = (left + 2. * right) / 3.;
-        if (distance_from_second(a) < distance_from_second(b))
-          right = b;
-        else
-          left = a;
-      }
-    return distance_from_second(left);
-  }
-
   Pairs
   listed_pairs(const NeighborList &list)
   {
@@ -208,41 +101,13 @@ namespace
   list_of_all(const double reach, const double skin, const Cells &cells)
   {
     NeighborList list(reach, skin);
-    list.build(cells, iota(cells.size()), iota(cells.size()), different);
+    list.build(cells,
+               all_indices(cells.size()),
+               all_indices(cells.size()),
+               different);
     return list;
   }
 } // namespace
-
-
-
-TEST(BoundingBox, ContainsTheCurve)
-{
-  std::mt19937 random(1);
-  for (const auto &cell : random_curved_cells(100, 10., random))
-    {
-      const BoundingBox<3> box = bounding_box(cell);
-      for (const auto &point : sample(cell, 50))
-        EXPECT_LT(distance_square(box,
-                                  Tensor<1, 3>({point[0], point[1], point[2]})),
-                  1e-26);
-    }
-}
-
-
-
-TEST(BoundingBox, DistanceIsEuclideanAndZeroInside)
-{
-  const BoundingBox<3> box({{0., 0., 0.}, {1., 2., 3.}});
-  EXPECT_EQ(distance_square(box, Tensor<1, 3>({0.5, 2., 1.})), 0.);
-  EXPECT_EQ(distance_square(box, Tensor<1, 3>({-2., 1., 1.})), 4.);
-  EXPECT_EQ(distance_square(box, Tensor<1, 3>({3., 5., -4.})), 4. + 9. + 16.);
-
-  EXPECT_EQ(distance_square(box, BoundingBox<3>({{.5, 1., 1.}, {9., 9., 9.}})),
-            0.);
-  const BoundingBox<3> far({{3., 5., -9.}, {4., 6., -4.}});
-  EXPECT_EQ(distance_square(box, far), 4. + 9. + 16.);
-  EXPECT_EQ(distance_square(far, box), 4. + 9. + 16.);
-}
 
 
 
@@ -306,11 +171,12 @@ TEST(NeighborList, FindsExactlyThePairsWithinReachPlusSkin)
   std::mt19937 random(7);
   for (unsigned int trial = 0; trial < 100; ++trial)
     {
-      const Tensor<1, 3> normal =
-        trial < 3 ? Tensor<1, 3>() : random_direction(random);
-      Tensor<1, 3> n = normal;
+      Tensor<1, 3> n = random_direction(random);
       if (trial < 3)
-        n[trial] = 1.;
+        {
+          n        = Tensor<1, 3>();
+          n[trial] = 1.;
+        }
       Tensor<1, 3> u = dealii::cross_product_3d(n, random_direction(random));
       Tensor<1, 3> v = dealii::cross_product_3d(n, random_direction(random));
       u *= 5. / u.norm();
@@ -426,6 +292,26 @@ TEST(NeighborList, ListsOnlySourcesTargetsAndAdmissiblePairs)
 
 
 
+TEST(NeighborList, IsReplacedByARebuild)
+{
+  std::mt19937                    random(13);
+  const Cells                     before = random_curved_cells(70, 4., random);
+  const Cells                     after  = random_curved_cells(60, 4., random);
+  const std::vector<unsigned int> sources{41, 3, 7, 59, 20};
+
+  NeighborList fresh(0.5, 0.1), rebuilt(0.5, 0.1);
+  fresh.build(after, sources, all_indices(60), different);
+  rebuilt.build(before, all_indices(70), all_indices(70), different);
+  rebuilt.build(after, sources, all_indices(60), different);
+
+  ASSERT_GT(fresh.n_pairs(), 20u);
+  EXPECT_EQ(rebuilt.n_pairs(), fresh.n_pairs());
+  EXPECT_EQ(rebuilt.sources(), fresh.sources());
+  EXPECT_EQ(listed_pairs(rebuilt), listed_pairs(fresh));
+}
+
+
+
 TEST(NeighborList, ListsTheCellItselfIfAdmissible)
 {
   const Cells  cells{straight_cell({}, Tensor<1, 3>({1., 0., 0.}))};
@@ -440,8 +326,8 @@ TEST(NeighborList, IsSortedAndIndependentOfTheOrderOfTargets)
 {
   std::mt19937              random(5);
   const Cells               cells   = random_curved_cells(200, 10., random);
-  const auto                sources = iota(200);
-  std::vector<unsigned int> targets = iota(200);
+  const auto                sources = all_indices(200);
+  std::vector<unsigned int> targets = all_indices(200);
 
   NeighborList first(0.5, 0.1), second(0.5, 0.1);
   first.build(cells, sources, targets, different);
@@ -510,15 +396,17 @@ TEST(NeighborList, ListsExactlyThePairsOfStraightCells)
   Pairs        pairs;
   unsigned int n_pairs_of_boxes = 0;
   for (unsigned int i = 0; i < cells.size(); ++i)
-    for (unsigned int j = 0; j < cells.size(); ++j)
-      if (i != j)
-        {
-          if (distance_of_straight_cells(cells[i], cells[j]) <= reach + skin)
+    for (unsigned int j = 0; j < i; ++j)
+      {
+        if (distance_of_straight_cells(cells[i], cells[j]) <= reach + skin)
+          {
             pairs.emplace(i, j);
-          if (distance_square(bounding_box(cells[i]), bounding_box(cells[j])) <=
-              (reach + skin) * (reach + skin))
-            ++n_pairs_of_boxes;
-        }
+            pairs.emplace(j, i);
+          }
+        if (distance_square(bounding_box(cells[i]), bounding_box(cells[j])) <=
+            (reach + skin) * (reach + skin))
+          n_pairs_of_boxes += 2;
+      }
   ASSERT_GT(pairs.size(), 100u);
   ASSERT_GT(n_pairs_of_boxes, 5 * pairs.size());
 

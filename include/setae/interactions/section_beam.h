@@ -146,6 +146,15 @@ namespace Setae
     }
 
   private:
+    /** An entry for every degree of freedom of the two cells. */
+    using Row = std::array<double, 24>;
+
+    /** Shape functions at the closest point, with derivatives. */
+    struct TargetShapes
+    {
+      std::array<double, 4> M, M_x, M_xx;
+    };
+
     void
     distribute(const LineSite &     site,
                const HermiteCell<> &target,
@@ -157,12 +166,12 @@ namespace Setae
     {
       using namespace PointPairIndex;
 
-      const double       x    = projection.x;
-      const auto         M    = Hermite::shape_values(x, target.h);
-      const auto         M_x  = Hermite::shape_derivatives(x, target.h);
-      const auto         M_xx = Hermite::shape_second_derivatives(x, target.h);
-      const Tensor<1, 3> b2   = target.combine(M_xx);
-      const Tensor<1, 3> d    = pair.r1 - pair.r2;
+      const TargetShapes shapes = {
+        Hermite::shape_values(projection.x, target.h),
+        Hermite::shape_derivatives(projection.x, target.h),
+        Hermite::shape_second_derivatives(projection.x, target.h)};
+      const Tensor<1, 3> b2 = target.combine(shapes.M_xx);
+      const Tensor<1, 3> d  = pair.r1 - pair.r2;
 
       // The Lagrangian f - lambda p of a closest point that moves. Where the
       // site sits in the center of curvature of the target, every point nearby
@@ -187,78 +196,119 @@ namespace Setae
               }
         }
 
-      for (unsigned int a = 0; a < 4; ++a)
-        for (unsigned int c = 0; c < 3; ++c)
-          {
-            local.residual[3 * a + c] += site.N[a] * L.gradient[r1][c] +
-                                         site.N_x[a] * L.gradient[a1][c];
-            local.residual[12 + 3 * a + c] +=
-              M[a] * L.gradient[r2][c] + M_x[a] * L.gradient[a2][c];
-          }
+      add_residual(site, shapes, L, local);
       if (request < Request::tangent)
         return;
 
-      // The motion of the closest point, v_xi = (0, 0, a2, b2) and its
-      // derivative (0, 0, b2, c2), in the four vectors and then in q.
-      std::array<double, 24> xi_q = {}, w = {};
+      Row xi_q = {}, w = {};
       if (moves)
         {
+          // The motion of the closest point, v_xi = (0, 0, a2, b2) and its
+          // derivative (0, 0, b2, c2), in the four vectors and then in q.
           const Tensor<1, 3>          c2 = target.third_derivative();
-          std::array<Tensor<1, 3>, 4> H_v;
+          std::array<Tensor<1, 3>, 4> L_xi;
           for (unsigned int v = 0; v < 4; ++v)
-            H_v[v] = L.hessian[v][r2] * pair.a2 + L.hessian[v][a2] * b2;
-          const double L_xi_xi = pair.a2 * H_v[r2] + b2 * H_v[a2] +
+            L_xi[v] = L.hessian[v][r2] * pair.a2 + L.hessian[v][a2] * b2;
+          const double L_xi_xi = pair.a2 * L_xi[r2] + b2 * L_xi[a2] +
                                  L.gradient[r2] * b2 + L.gradient[a2] * c2;
+          L_xi[a2] += L.gradient[r2];
 
+          const auto &[M, M_x, M_xx] = shapes;
           for (unsigned int a = 0; a < 4; ++a)
             for (unsigned int c = 0; c < 3; ++c)
               {
                 const unsigned int i = 3 * a + c, j = 12 + i;
                 xi_q[i] = -site.N[a] * pair.a2[c] / p_xi;
                 xi_q[j] = (M[a] * pair.a2[c] - M_x[a] * d[c]) / p_xi;
-                w[i]    = site.N[a] * H_v[r1][c] + site.N_x[a] * H_v[a1][c];
-                w[j]    = M[a] * H_v[r2][c] + M_x[a] * H_v[a2][c] +
-                       M_x[a] * L.gradient[r2][c] + M_xx[a] * L.gradient[a2][c];
+                w[i]    = site.N[a] * L_xi[r1][c] + site.N_x[a] * L_xi[a1][c];
+                w[j]    = M[a] * L_xi[r2][c] + M_x[a] * L_xi[a2][c] +
+                       M_xx[a] * L.gradient[a2][c];
               }
           for (unsigned int i = 0; i < 24; ++i)
             w[i] += .5 * L_xi_xi * xi_q[i];
         }
+      add_tangent(site, shapes, L, xi_q, w, local);
+    }
 
-      // B^T (H B), row by row. As L depends on r1 - r2 only, the rows of r2 are
-      // those of r1 with the other sign.
-      std::array<Row, 3> H_B_r1, H_B_a1, H_B_a2;
+    /** Add B^T L_v for the gradient in the four vectors v = B q. */
+    static void
+    add_residual(const LineSite &       site,
+                 const TargetShapes &   shapes,
+                 const PointPairEnergy &L,
+                 LocalSystem<24> &      local)
+    {
+      using namespace PointPairIndex;
+      for (unsigned int a = 0; a < 4; ++a)
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            local.residual[3 * a + c] += site.N[a] * L.gradient[r1][c] +
+                                         site.N_x[a] * L.gradient[a1][c];
+            local.residual[12 + 3 * a + c] +=
+              shapes.M[a] * L.gradient[r2][c] + shapes.M_x[a] * L.gradient[a2][c];
+          }
+    }
+
+    /**
+     * Add B^T L_vv B + w xi_q^T + xi_q w^T, but for the rows of the source in
+     * the columns of the target, which LocalSystem::symmetrize() fills. The last
+     * two rows come by value: then the compiler knows that they are none of the
+     * tangent matrix.
+     */
+    static void
+    add_tangent(const LineSite &       site,
+                const TargetShapes &   shapes,
+                const PointPairEnergy &L,
+                const Row              xi_q,
+                const Row              w,
+                LocalSystem<24> &      local)
+    {
+      using namespace PointPairIndex;
+
+      // L_vv B, without the part of r2, which is the negative one of r1 because
+      // L depends on r1 - r2 only, and of (a1, target), which is not needed.
+      const auto &       H = L.hessian;
+      const auto &       N = site.N, &N_x = site.N_x;
+      const auto &       M = shapes.M, &M_x = shapes.M_x;
+      std::array<Row, 3> H_r1, H_a1, H_a2;
       for (unsigned int c = 0; c < 3; ++c)
         for (unsigned int b = 0; b < 4; ++b)
           for (unsigned int e = 0; e < 3; ++e)
             {
               const unsigned int i = 3 * b + e, j = 12 + i;
-              H_B_r1[c][i] = L.hessian[r1][r1][c][e] * site.N[b] +
-                             L.hessian[r1][a1][c][e] * site.N_x[b];
-              H_B_r1[c][j] = L.hessian[r1][r2][c][e] * M[b] +
-                             L.hessian[r1][a2][c][e] * M_x[b];
-              H_B_a1[c][i] = L.hessian[a1][r1][c][e] * site.N[b] +
-                             L.hessian[a1][a1][c][e] * site.N_x[b];
-              H_B_a2[c][i] = L.hessian[a2][r1][c][e] * site.N[b] +
-                             L.hessian[a2][a1][c][e] * site.N_x[b];
-              H_B_a2[c][j] = L.hessian[a2][r2][c][e] * M[b] +
-                             L.hessian[a2][a2][c][e] * M_x[b];
+              H_r1[c][i] = H[r1][r1][c][e] * N[b] + H[r1][a1][c][e] * N_x[b];
+              H_a1[c][i] = H[a1][r1][c][e] * N[b] + H[a1][a1][c][e] * N_x[b];
+              H_a2[c][i] = H[a2][r1][c][e] * N[b] + H[a2][a1][c][e] * N_x[b];
+              H_r1[c][j] = H[r1][r2][c][e] * M[b] + H[r1][a2][c][e] * M_x[b];
+              H_a2[c][j] = H[a2][r2][c][e] * M[b] + H[a2][a2][c][e] * M_x[b];
             }
+
       for (unsigned int a = 0; a < 4; ++a)
         for (unsigned int c = 0; c < 3; ++c)
           {
             const unsigned int i = 3 * a + c, j = 12 + i;
-            add_row<12>(site.N[a], H_B_r1[c], site.N_x[a], H_B_a1[c], w[i], xi_q, xi_q[i], w, local.tangent[i]);
-            add_row<24>(-M[a], H_B_r1[c], M_x[a], H_B_a2[c], w[j], xi_q, xi_q[j], w, local.tangent[j]);
+            add_combination<12>(
+              N[a], H_r1[c], N_x[a], H_a1[c], w[i], xi_q, xi_q[i], w, local.tangent[i]);
+            add_combination<24>(
+              -M[a], H_r1[c], M_x[a], H_a2[c], w[j], xi_q, xi_q[j], w, local.tangent[j]);
           }
     }
 
-    using Row = std::array<double, 24>;
+    /** Add a linear combination of rows to the first @p n entries of one. */
     template <unsigned int n>
     static void
-    add_row(double f0, const Row &v0, double f1, const Row &v1, double f2, const Row &v2, double f3, const Row &v3, Row &result)
+    add_combination(const double factor_0,
+        const Row &  row_0,
+        const double factor_1,
+        const Row &  row_1,
+        const double factor_2,
+        const Row &  row_2,
+        const double factor_3,
+        const Row &  row_3,
+        Row &        result)
     {
       for (unsigned int k = 0; k < n; ++k)
-        result[k] += f0 * v0[k] + f1 * v1[k] + f2 * v2[k] + f3 * v3[k];
+        result[k] += factor_0 * row_0[k] + factor_1 * row_1[k] +
+                     factor_2 * row_2[k] + factor_3 * row_3[k];
     }
 
     Law    law;

@@ -156,11 +156,11 @@ namespace Setae
 
   private:
     static void
-    add_block(const unsigned int  row,
-              const unsigned int  column,
-              const double        factor,
+    add_block(const unsigned int           row,
+              const unsigned int           column,
+              const double                 factor,
               const Tensor<2, 3> &H,
-              LocalSystem<24> &   local)
+              LocalSystem<24> &            local)
     {
       for (unsigned int c = 0; c < 3; ++c)
         for (unsigned int e = 0; e < 3; ++e)

@@ -15,13 +15,13 @@ namespace Setae
    */
   struct Projection
   {
-    double x;      ///< reference coordinate on the cell
-    bool   moves;  ///< whether it moves along the curve with the given point
+    double x;     ///< reference coordinate on the cell
+    bool   moves; ///< whether it moves along the curve with the given point
   };
 
   /**
-   * The projections of one point on one cell: a cubic has at most two or three
-   * minima of the distance, and an end of the fiber may add one more.
+   * The projections of one point on one cell. Of the five roots that a quintic
+   * can have at most three are minima, or two and both ends of the fiber.
    */
   using Projections = boost::container::static_vector<Projection, 4>;
 

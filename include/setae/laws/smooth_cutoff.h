@@ -44,10 +44,10 @@ namespace Setae
     Number
     value(const Number &gap) const
     {
-      if (gap <= begin)
-        return function.value(gap);
       if (gap >= end)
         return Number(0.);
+      if (gap <= begin)
+        return function.value(gap);
       const Number x = (gap - begin) / (end - begin);
       return function.value(gap) *
              (1. - x * x * x * (10. - x * (15. - 6. * x)));

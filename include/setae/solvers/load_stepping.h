@@ -7,6 +7,8 @@
 #include <setae/base/expression.h>
 #include <setae/scene.h>
 
+#include <limits>
+
 namespace Setae
 {
   /**
@@ -63,6 +65,7 @@ namespace Setae
     LoadSteppingParameters parameters;
     Expression             largest_step;
     double                 current_time = 0.;
+    double                 failed_time = std::numeric_limits<double>::infinity();
     double                 size;
   };
 } // namespace Setae

@@ -63,13 +63,27 @@ namespace Setae
              const SupportIncrement supports) = 0;
 
     /**
-     * Solve for the increment with the matrix of the last evaluation, plus
-     * @p damping times the magnitude of its diagonal.
+     * Solve for the increment with matrix and residual of the last evaluation.
      *
      * @return Whether there is a solution; false for a singular matrix.
      */
     virtual bool
-    solve(Vector &increment, const double damping) = 0;
+    solve(Vector &increment) = 0;
+
+    /**
+     * Turn the system of the last evaluation into one step of the implicit Euler
+     * method: add @p coefficients to the diagonal of the matrix, and their
+     * product with @p motion, the change since the beginning of the step, to the
+     * residual.
+     *
+     * @return The norm of the new residual [force].
+     */
+    virtual double
+    add_damping(const Vector &coefficients, const Vector &motion) = 0;
+
+    /** The magnitude of the diagonal of the matrix of the last evaluation. */
+    virtual Vector
+    diagonal() const = 0;
 
     /** The largest displacement of a node in an increment [length]. */
     virtual double

@@ -12,10 +12,12 @@ namespace Setae
    * The overdamped motion to the next stable equilibrium, for loads at which the
    * branch followed so far has ended.
    *
-   * Steps of the linearly implicit Euler method for @f$D\dot X=-R(X)@f$, with D
-   * the magnitude of the diagonal of the tangent matrix: every step must lower
-   * the energy, else it is repeated with more damping; success reduces the
-   * damping, so that near the new equilibrium the steps become Newton's.
+   * Steps of the implicit Euler method for @f$D\dot X=-R(X)@f$, with D the
+   * magnitude of the diagonal of the tangent matrix at the beginning, so that
+   * time has no unit. Each step is solved by Newton's method to a loose
+   * tolerance and has to lower the energy. The steps grow until they are
+   * Newton's for the equilibrium itself; one that fails is repeated with a
+   * smaller size.
    */
   class Relaxation
   {
@@ -32,6 +34,22 @@ namespace Setae
     solve(NonlinearSystem &system, Vector &solution, const double time) const;
 
   private:
+    /** One step of the implicit Euler method. */
+    struct Step
+    {
+      bool       succeeded = false;
+      Evaluation evaluation;
+      double     increment_norm = 0.; ///< of its last iteration
+    };
+
+    Step
+    advance(NonlinearSystem &system,
+            Vector &         current,
+            const Vector &   coefficients,
+            const double     time,
+            const double     upper_bound,
+            SolverResult &   result) const;
+
     NewtonParameters parameters;
     Newton::Log      log;
   };
