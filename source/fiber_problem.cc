@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 The Setae authors
 
+#include <deal.II/lac/sparsity_tools.h>
+
 #include <setae/assembly/interaction.h>
 #include <setae/assembly/load.h>
 #include <setae/base/exceptions.h>
@@ -8,8 +10,6 @@
 #include <setae/revision.h>
 #include <setae/solvers/newton.h>
 #include <setae/solvers/relaxation.h>
-
-#include <deal.II/lac/sparsity_tools.h>
 
 #include <cmath>
 #include <filesystem>
@@ -39,7 +39,7 @@ namespace Setae
 
 
 
-  FiberProblem::FiberProblem(const Scene & scene,
+  FiberProblem::FiberProblem(const Scene  &scene,
                              MPI_Comm      communicator,
                              std::ostream &out)
     : scene(scene)
@@ -127,7 +127,7 @@ namespace Setae
 
 
   Evaluation
-  FiberProblem::evaluate(const Vector &         solution,
+  FiberProblem::evaluate(const Vector          &solution,
                          const double           time,
                          const SupportIncrement support_increment)
   {
@@ -151,9 +151,9 @@ namespace Setae
 
 
   void
-  FiberProblem::assemble_system(const State &                    state,
+  FiberProblem::assemble_system(const State                     &state,
                                 const AffineConstraints<double> &constraints,
-                                Evaluation &                     evaluation)
+                                Evaluation                      &evaluation)
   {
     system.start(Request::tangent, constraints);
     bool is_complete = true;
@@ -228,7 +228,7 @@ namespace Setae
   FiberProblem::solve(Vector &increment)
   {
     TimerOutput::Scope section(timer, "solve");
-    bool is_solved = true;
+    bool               is_solved = true;
     try
       {
         SolverControl                  control;
@@ -236,9 +236,7 @@ namespace Setae
           control,
           TrilinosWrappers::SolverDirect::AdditionalData(
             false, scene.newton.linear_solver));
-        solver.solve(system.tangent_matrix,
-                     increment,
-                     system.right_hand_side);
+        solver.solve(system.tangent_matrix, increment, system.right_hand_side);
       }
     catch (const std::exception &)
       {
@@ -257,7 +255,7 @@ namespace Setae
   double
   FiberProblem::add_damping(const Vector &coefficients, const Vector &motion)
   {
-    auto & matrix = system.tangent_matrix;
+    auto  &matrix = system.tangent_matrix;
     Vector force(motion);
     force.scale(coefficients);
     for (const auto i : fibers.owned_dofs)
@@ -327,12 +325,11 @@ namespace Setae
       const Fiber &f = fibers.fibers[fibers.fiber_of_cell[cell]];
       return "'" + f.name + "'";
     };
-    const Fiber &f = fibers.fibers[fibers.fiber_of_cell[gaps.source]];
-    const auto   i = gaps.source - f.first_cell;
+    const Fiber       &f = fibers.fibers[fibers.fiber_of_cell[gaps.source]];
+    const auto         i = gaps.source - f.first_cell;
     std::ostringstream text;
     text << "between " << place(gaps.source) << " (at s = "
-         << f.arc_length[i] +
-              gaps.x * (f.arc_length[i + 1] - f.arc_length[i])
+         << f.arc_length[i] + gaps.x * (f.arc_length[i + 1] - f.arc_length[i])
          << ") and " << place(gaps.target);
     return text.str();
   }
@@ -355,17 +352,16 @@ namespace Setae
       if (scene.newton.log_iterations)
         pcout << "    iteration " << std::setw(3) << report.iteration
               << "  residual " << std::scientific << std::setprecision(3)
-              << report.residual_norm << "  increment "
-              << report.increment_norm << "  factor " << report.factor
-              << "  gap " << report.smallest_gap << std::defaultfloat
-              << std::endl;
+              << report.residual_norm << "  increment " << report.increment_norm
+              << "  factor " << report.factor << "  gap " << report.smallest_gap
+              << std::defaultfloat << std::endl;
     };
 
     const Newton newton(scene.newton, log);
     for (;;)
       {
-        record.time      = steps.next_time();
-        record.step_size = steps.step_size();
+        record.time               = steps.next_time();
+        record.step_size          = steps.step_size();
         const SolverResult result = newton.solve(*this, solution, record.time);
         if (result.converged)
           {
@@ -381,8 +377,8 @@ namespace Setae
 
         SolverResult relaxed = result;
         if (scene.load_stepping.pass_instabilities)
-          relaxed = Relaxation(scene.newton, log)
-                      .solve(*this, solution, record.time);
+          relaxed =
+            Relaxation(scene.newton, log).solve(*this, solution, record.time);
         std::ostringstream message;
         message << "The load step from time " << steps.time() << " to "
                 << record.time << " has no solution: " << relaxed.reason
@@ -412,7 +408,8 @@ namespace Setae
       record.has_interactions = !scene.interactions.empty();
       record.supports         = supports.report(record.time, system.residual);
       record.wall_time        = wall_clock.wall_time();
-      summary.n_iterations += record.n_iterations + record.n_iterations_rejected;
+      summary.n_iterations +=
+        record.n_iterations + record.n_iterations_rejected;
       summary.n_rejected_steps += record.n_rejected;
       summary.n_rejected_iterations += record.n_iterations_rejected;
       summary.n_snaps += record.is_snap ? 1 : 0;
@@ -422,8 +419,8 @@ namespace Setae
     };
 
     const SolverResult initial =
-      Newton(scene.newton, [](const IterationReport &) {})
-        .solve(*this, solution, 0.);
+      Newton(scene.newton, [](const IterationReport &) {
+      }).solve(*this, solution, 0.);
     AssertThrow(initial.converged,
                 ExcRun("There is no equilibrium at time 0: " + initial.reason +
                        "."));
@@ -495,9 +492,9 @@ namespace Setae
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       statistics.write(scene.output.directory);
 
-    const bool is_last  = record.time >= scene.load_stepping.end_time;
-    const bool is_due   = record.time >= last_field_output +
-                                         scene.output.interval * (1. - 1e-10);
+    const bool is_last = record.time >= scene.load_stepping.end_time;
+    const bool is_due =
+      record.time >= last_field_output + scene.output.interval * (1. - 1e-10);
     if (!scene.output.fields || !(is_due || is_last || record.is_snap))
       return;
     if (!visualization)
@@ -529,7 +526,7 @@ namespace Setae
   void
   FiberProblem::print_step(const StepRecord &record)
   {
-    const double progress = record.time / scene.load_stepping.end_time;
+    const double       progress = record.time / scene.load_stepping.end_time;
     std::ostringstream line;
     line << "step " << std::setw(4) << record.step << "  t " << std::fixed
          << std::setprecision(6) << record.time << "  dt " << std::scientific
@@ -561,8 +558,8 @@ namespace Setae
     pcout << '\n'
           << summary.n_steps << " steps, " << summary.n_iterations
           << " iterations (" << summary.n_rejected_iterations << " of them in "
-          << summary.n_rejected_steps << " rejected steps), "
-          << summary.n_snaps << " instabilities passed\n";
+          << summary.n_rejected_steps << " rejected steps), " << summary.n_snaps
+          << " instabilities passed\n";
     if (!scene.interactions.empty())
       {
         pcout << "Smallest gap of all steps: " << summary.smallest_gap << '\n';

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 The Setae authors
 
+#include <deal.II/base/mpi.h>
+
 #include <setae/base/exceptions.h>
 #include <setae/fiber_problem.h>
 #include <setae/revision.h>
-
-#include <deal.II/base/mpi.h>
 
 #include <fstream>
 #include <iostream>

@@ -4,6 +4,12 @@
 #ifndef setae_fiber_problem_h
 #define setae_fiber_problem_h
 
+#include <deal.II/base/conditional_ostream.h>
+#include <deal.II/base/timer.h>
+
+#include <deal.II/lac/solver_control.h>
+#include <deal.II/lac/trilinos_solver.h>
+
 #include <setae/assembly/strain_energy.h>
 #include <setae/assembly/supports.h>
 #include <setae/fibers/fiber_system.h>
@@ -12,12 +18,6 @@
 #include <setae/scene.h>
 #include <setae/solvers/load_stepping.h>
 #include <setae/solvers/nonlinear_system.h>
-
-#include <deal.II/base/conditional_ostream.h>
-#include <deal.II/base/timer.h>
-
-#include <deal.II/lac/solver_control.h>
-#include <deal.II/lac/trilinos_solver.h>
 
 #include <memory>
 #include <ostream>
@@ -40,12 +40,12 @@ namespace Setae
 
 
   /**
-   * The driver: a scene is a list of fibers and a list of energy terms, whose sum
-   * is made stationary for each load step.
+   * The driver: a scene is a list of fibers and a list of energy terms, whose
+   * sum is made stationary for each load step.
    *
    * @code
-   * FiberProblem problem(Scene::read(text, file_name), MPI_COMM_WORLD, std::cout);
-   * problem.run();
+   * FiberProblem problem(Scene::read(text, file_name), MPI_COMM_WORLD,
+   * std::cout); problem.run();
    * @endcode
    */
   class FiberProblem : private NonlinearSystem
@@ -59,8 +59,8 @@ namespace Setae
     FiberProblem(const Scene &scene, MPI_Comm communicator, std::ostream &out);
 
     /**
-     * Go through all load steps, and write the output directory of the scene. The
-     * results of every step are on disk before the next one starts.
+     * Go through all load steps, and write the output directory of the scene.
+     * The results of every step are on disk before the next one starts.
      *
      * @throws ExcRun if a step has no solution, with what happened where.
      */
@@ -114,14 +114,14 @@ namespace Setae
     setup_matrix();
 
     Evaluation
-    evaluate(const Vector &         solution,
+    evaluate(const Vector          &solution,
              const double           time,
              const SupportIncrement supports) override;
 
     void
-    assemble_system(const State &                            state,
+    assemble_system(const State                             &state,
                     const dealii::AffineConstraints<double> &constraints,
-                    Evaluation &                             evaluation);
+                    Evaluation                              &evaluation);
 
     void
     judge(Evaluation &evaluation) const;
@@ -162,15 +162,15 @@ namespace Setae
     std::string
     where(const GapReport &gaps) const;
 
-    const Scene                scene;
-    const MPI_Comm             communicator;
-    dealii::ConditionalOStream pcout;
+    const Scene                 scene;
+    const MPI_Comm              communicator;
+    dealii::ConditionalOStream  pcout;
     mutable dealii::TimerOutput timer;
-    dealii::Timer              wall_clock;
+    dealii::Timer               wall_clock;
 
     FiberSystem                              fibers;
     std::vector<std::unique_ptr<EnergyTerm>> terms;
-    const StrainEnergy *                     strain; ///< the first of the terms
+    const StrainEnergy                      *strain; ///< the first of the terms
     Supports                                 supports;
     GlobalSystem                             system;
 

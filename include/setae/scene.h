@@ -41,8 +41,8 @@ namespace Setae
   struct SupportParameters
   {
     std::string              name;
-    std::vector<std::string> fibers = {"all"};
-    std::vector<std::string> at     = {"start"};
+    std::vector<std::string> fibers       = {"all"};
+    std::vector<std::string> at           = {"start"};
     std::string              displacement = "free; free; free";
     std::string              tangent      = "free; free; free";
 
@@ -72,12 +72,12 @@ namespace Setae
   {
     std::string               name;
     std::string               law;
-    std::vector<std::string>  source = {"all"};
-    std::vector<std::string>  target = {"all"};
-    bool                      two_half_passes  = false;
-    bool                      self_interaction = false;
+    std::vector<std::string>  source               = {"all"};
+    std::vector<std::string>  target               = {"all"};
+    bool                      two_half_passes      = false;
+    bool                      self_interaction     = false;
     unsigned int              n_excluded_neighbors = 2;
-    std::vector<unsigned int> exponents  = {6, 12};
+    std::vector<unsigned int> exponents            = {6, 12};
     std::vector<double>       prefactors;
     double                    equilibrium_gap = 0.;
     double                    force_minimum   = 0.;
@@ -97,11 +97,11 @@ namespace Setae
   /** How the load is applied. */
   struct LoadSteppingParameters
   {
-    double       end_time        = 1.;
-    double       first_step      = .1;
-    std::string  largest_step    = "1";
-    double       smallest_step   = 1e-4;
-    double       growth          = 4.;
+    double       end_time            = 1.;
+    double       first_step          = .1;
+    std::string  largest_step        = "1";
+    double       smallest_step       = 1e-4;
+    double       growth              = 4.;
     unsigned int target_n_iterations = 15;
     bool         pass_instabilities  = true;
 
@@ -162,6 +162,12 @@ namespace Setae
     /** Everything as it is used, as a .prm file that repeats the run. */
     std::string used_parameters;
 
+    /**
+     * @throws ExcParameter with the first parameter whose value cannot be used.
+     */
+    void
+    check() const;
+
     /** The indices 0, 1, 2 of the coordinates that are not switched off. */
     std::vector<unsigned int>
     active_coordinates() const;
@@ -177,8 +183,8 @@ namespace Setae
      * cannot be used.
      */
     static Scene
-    read(const std::string &             text,
-         const std::string &             file_name,
+    read(const std::string              &text,
+         const std::string              &file_name,
          const std::vector<std::string> &overrides = {});
 
     /**

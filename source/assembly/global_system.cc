@@ -18,11 +18,8 @@ namespace Setae
   void
   GlobalSystem::reinit_matrix(const DynamicSparsityPattern &pattern)
   {
-    tangent_matrix.reinit(fibers.owned_dofs,
-                          fibers.owned_dofs,
-                          pattern,
-                          fibers.communicator,
-                          true);
+    tangent_matrix.reinit(
+      fibers.owned_dofs, fibers.owned_dofs, pattern, fibers.communicator, true);
   }
 
 
@@ -46,7 +43,7 @@ namespace Setae
   template <unsigned int n>
   void
   GlobalSystem::add(const std::array<types::global_dof_index, n> &dofs,
-                    const LocalSystem<n> &                        local)
+                    const LocalSystem<n>                         &local)
   {
     if (request < Request::residual)
       return;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 The Setae authors
 
+#include <deal.II/base/quadrature_lib.h>
+
 #include <setae/assembly/interaction.h>
 #include <setae/base/exceptions.h>
 #include <setae/interactions/section_beam.h>
@@ -8,8 +10,6 @@
 #include <setae/laws/all.h>
 #include <setae/laws/lennard_jones.h>
 #include <setae/search/neighbor_list.h>
-
-#include <deal.II/base/quadrature_lib.h>
 
 #include <map>
 #include <type_traits>
@@ -21,14 +21,13 @@ namespace Setae
   namespace
   {
     /**
-     * A law of gap and angle goes with a projection, a law of the gap alone with
-     * a double integral.
+     * A law of gap and angle goes with a projection, a law of the gap alone
+     * with a double integral.
      */
     template <typename Law>
-    using Kernel =
-      std::conditional_t<std::is_invocable_v<Law, double, double>,
-                         SectionBeam<Law>,
-                         SectionSection<Law>>;
+    using Kernel = std::conditional_t<std::is_invocable_v<Law, double, double>,
+                                      SectionBeam<Law>,
+                                      SectionSection<Law>>;
 
     SectionPair
     section_pair(const FiberParameters &source, const FiberParameters &target)
@@ -41,7 +40,7 @@ namespace Setae
 
     PointPotential
     point_potential(const InteractionParameters &parameters,
-                    const SectionPair &          sections)
+                    const SectionPair           &sections)
     {
       if (parameters.prefactors.empty())
         return lennard_jones_of_cylinders(parameters.equilibrium_gap,
@@ -106,14 +105,14 @@ namespace Setae
       double
       factor(const unsigned int source, const unsigned int target) const
       {
-        const bool twice = parameters.two_half_passes ||
-                           fibers.fiber_of_cell[source] ==
-                             fibers.fiber_of_cell[target];
+        const bool twice =
+          parameters.two_half_passes ||
+          fibers.fiber_of_cell[source] == fibers.fiber_of_cell[target];
         return twice ? .5 : 1.;
       }
 
     private:
-      const FiberSystem &          fibers;
+      const FiberSystem           &fibers;
       const InteractionParameters &parameters;
       std::vector<bool>            is_source, is_target;
     };
@@ -124,7 +123,7 @@ namespace Setae
     class Interaction : public EnergyTerm
     {
     public:
-      Interaction(const FiberSystem &          fibers,
+      Interaction(const FiberSystem           &fibers,
                   const InteractionParameters &parameters)
         : fibers(fibers)
         , parameters(parameters)
@@ -183,24 +182,24 @@ namespace Setae
       }
 
       double
-      assemble(const State & state,
+      assemble(const State  &state,
                const Request request,
                GlobalSystem &system) override
       {
         report        = {};
         double energy = 0.;
-        for_each_pair(state,
-                      [&](const unsigned int           source,
-                          const unsigned int           target,
-                          const std::vector<LineSite> &source_sites) {
-                        if (add_pair(
-                              state, source, target, source_sites, request))
-                          {
-                            local.symmetrize();
-                            energy += local.energy;
-                            system.add(source, target, local);
-                          }
-                      });
+        for_each_pair(
+          state,
+          [&](const unsigned int           source,
+              const unsigned int           target,
+              const std::vector<LineSite> &source_sites) {
+            if (add_pair(state, source, target, source_sites, request))
+              {
+                local.symmetrize();
+                energy += local.energy;
+                system.add(source, target, local);
+              }
+          });
         return energy;
       }
 
@@ -217,44 +216,36 @@ namespace Setae
       }
 
       void
-      add_site_forces(const State &           state,
+      add_site_forces(const State            &state,
                       std::vector<SiteForce> &forces) const override
       {
         // With a double integral, several cells act on a site.
         std::map<unsigned int, std::vector<SiteForce>> sums;
 
-        for_each_pair(state,
-                      [&](const unsigned int           source,
-                          const unsigned int           target,
-                          const std::vector<LineSite> &source_sites) {
-                        const HermiteCell<> &cell = state.current[target];
-                        const double factor = roles.factor(source, target);
-                        if constexpr (is_projected)
-                          for (const LineSite &site : source_sites)
-                            kernel(source, target)
-                              .forces(site,
-                                      cell,
-                                      fibers.ends_of_cell(target),
-                                      factor,
-                                      forces);
-                        else
-                          {
-                            evaluate_sites(rule,
-                                           fibers.initial[target],
-                                           cell,
-                                           target_sites);
-                            kernel(source, target)
-                              .add_forces(source_sites,
-                                          target_sites,
-                                          factor,
-                                          sums[source]);
-                            kernel(source, target)
-                              .add_forces(target_sites,
-                                          source_sites,
-                                          factor,
-                                          sums[target]);
-                          }
-                      });
+        for_each_pair(
+          state,
+          [&](const unsigned int           source,
+              const unsigned int           target,
+              const std::vector<LineSite> &source_sites) {
+            const HermiteCell<> &cell   = state.current[target];
+            const double         factor = roles.factor(source, target);
+            if constexpr (is_projected)
+              for (const LineSite &site : source_sites)
+                kernel(source, target)
+                  .forces(
+                    site, cell, fibers.ends_of_cell(target), factor, forces);
+            else
+              {
+                evaluate_sites(rule,
+                               fibers.initial[target],
+                               cell,
+                               target_sites);
+                kernel(source, target)
+                  .add_forces(source_sites, target_sites, factor, sums[source]);
+                kernel(source, target)
+                  .add_forces(target_sites, source_sites, factor, sums[target]);
+              }
+          });
         for (const auto &[cell, sites] : sums)
           forces.insert(forces.end(), sites.begin(), sites.end());
       }
@@ -283,7 +274,7 @@ namespace Setae
                 section_pair(fibers.scene.fibers[key.first],
                              fibers.scene.fibers[key.second]);
               check_equal(sections);
-              const double radii = sections.radius_1 + sections.radius_2;
+              const double      radii = sections.radius_1 + sections.radius_2;
               const Kernel<Law> kernel(
                 Law(point_potential(parameters, sections), sections, range),
                 radii);
@@ -336,15 +327,15 @@ namespace Setae
 
       /** @return Whether any site of the source is within reach. */
       bool
-      add_pair(const State &                state,
+      add_pair(const State                 &state,
                const unsigned int           source,
                const unsigned int           target,
                const std::vector<LineSite> &source_sites,
                const Request                request)
       {
-        const HermiteCell<> &cell   = state.current[target];
-        const Kernel<Law> &  kernel = this->kernel(source, target);
-        const double         factor = roles.factor(source, target);
+        const HermiteCell<> &cell         = state.current[target];
+        const Kernel<Law>   &kernel       = this->kernel(source, target);
+        const double         factor       = roles.factor(source, target);
         const double         reach_square = kernel.reach() * kernel.reach();
         const BoundingBox<3> box          = bounding_box(cell.control_points());
 
@@ -378,7 +369,7 @@ namespace Setae
         return is_near;
       }
 
-      const FiberSystem &          fibers;
+      const FiberSystem           &fibers;
       const InteractionParameters &parameters;
       const Roles                  roles;
       const Quadrature<1>          rule;
@@ -400,7 +391,7 @@ namespace Setae
 
 
   std::unique_ptr<EnergyTerm>
-  make_interaction(const FiberSystem &          fibers,
+  make_interaction(const FiberSystem           &fibers,
                    const InteractionParameters &parameters)
   {
     std::unique_ptr<EnergyTerm> result;

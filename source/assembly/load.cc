@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 The Setae authors
 
-#include <setae/assembly/load.h>
-#include <setae/base/exceptions.h>
-
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/utilities.h>
+
+#include <setae/assembly/load.h>
+#include <setae/base/exceptions.h>
 
 #include <algorithm>
 
@@ -42,7 +42,7 @@ namespace Setae
   Load::collect_line(const unsigned int fiber)
   {
     const QGauss<1> rule(4);
-    const Fiber &   f = fibers.fibers[fiber];
+    const Fiber    &f = fibers.fibers[fiber];
     for (unsigned int i = 0; i < f.n_cells; ++i)
       for (unsigned int q = 0; q < rule.size(); ++q)
         {
@@ -51,12 +51,11 @@ namespace Setae
           if (std::binary_search(fibers.owned_cells.begin(),
                                  fibers.owned_cells.end(),
                                  cell))
-            sites.push_back({cell,
-                             x,
-                             f.arc_length[i] +
-                               x * (f.arc_length[i + 1] - f.arc_length[i]),
-                             rule.weight(q) *
-                               fibers.initial[cell].derivative(x).norm()});
+            sites.push_back(
+              {cell,
+               x,
+               f.arc_length[i] + x * (f.arc_length[i + 1] - f.arc_length[i]),
+               rule.weight(q) * fibers.initial[cell].derivative(x).norm()});
         }
   }
 
@@ -83,7 +82,7 @@ namespace Setae
 
 
   double
-  Load::assemble(const State & state,
+  Load::assemble(const State  &state,
                  const Request request,
                  GlobalSystem &system)
   {
@@ -104,18 +103,16 @@ namespace Setae
 
 
   void
-  Load::add_site(const Site &     site,
-                 const State &    state,
+  Load::add_site(const Site      &site,
+                 const State     &state,
                  const Request    request,
                  LocalSystem<12> &local) const
   {
     const HermiteCell<> &cell = state.current[site.cell];
     const auto           N    = Hermite::shape_values(site.x, cell.h);
     const auto           N_x  = Hermite::shape_derivatives(site.x, cell.h);
-    const Tensor<1, 3>   f =
-      site.weight * force(site.arc_length, state.time);
-    const Tensor<1, 3> m =
-      site.weight * moment(site.arc_length, state.time);
+    const Tensor<1, 3>   f = site.weight * force(site.arc_length, state.time);
+    const Tensor<1, 3>   m = site.weight * moment(site.arc_length, state.time);
 
     // The force on r,x: p = m x a / A with A = a.a, and its derivative.
     const Tensor<1, 3> a       = cell.combine(N_x);
@@ -143,7 +140,6 @@ namespace Setae
       for (unsigned int j = 0; j < 4; ++j)
         for (unsigned int c = 0; c < 3; ++c)
           for (unsigned int e = 0; e < 3; ++e)
-            local.tangent[3 * i + c][3 * j + e] -=
-              N_x[i] * N_x[j] * p_a[c][e];
+            local.tangent[3 * i + c][3 * j + e] -= N_x[i] * N_x[j] * p_a[c][e];
   }
 } // namespace Setae

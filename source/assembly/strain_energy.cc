@@ -20,7 +20,7 @@ namespace Setae
 
 
   double
-  StrainEnergy::assemble(const State & state,
+  StrainEnergy::assemble(const State  &state,
                          const Request request,
                          GlobalSystem &system)
   {
@@ -40,7 +40,7 @@ namespace Setae
 
 
   SectionForces
-  StrainEnergy::section_forces(const State &      state,
+  StrainEnergy::section_forces(const State       &state,
                                const unsigned int cell,
                                const double       x) const
   {

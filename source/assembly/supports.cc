@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 The Setae authors
 
-#include <setae/assembly/supports.h>
-#include <setae/base/exceptions.h>
-
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
+
+#include <setae/assembly/supports.h>
+#include <setae/base/exceptions.h>
 
 #include <algorithm>
 #include <set>
@@ -18,7 +18,7 @@ namespace Setae
   {
     /** The nodes of a fiber that a place of a support means. */
     std::vector<unsigned int>
-    nodes_at(const Fiber &      fiber,
+    nodes_at(const Fiber       &fiber,
              const std::string &place,
              const std::string &parameter)
     {
@@ -33,12 +33,14 @@ namespace Setae
         nodes.push_back(n_nodes - 1);
       else
         {
-          const auto & s       = fiber.arc_length;
-          const double value   = Utilities::string_to_double(place);
-          const auto   nearest = std::min_element(
-            s.begin(), s.begin() + n_nodes, [value](double a, double b) {
-              return std::abs(a - value) < std::abs(b - value);
-            });
+          const auto  &s     = fiber.arc_length;
+          const double value = Utilities::string_to_double(place);
+          const auto   nearest =
+            std::min_element(s.begin(),
+                             s.begin() + n_nodes,
+                             [value](double a, double b) {
+                               return std::abs(a - value) < std::abs(b - value);
+                             });
           AssertThrow(std::abs(*nearest - value) < 1e-8 * s.back(),
                       ExcParameter(parameter,
                                    place,
@@ -75,13 +77,13 @@ namespace Setae
     const std::string        path    = "supports/" + support.name + "/";
     const auto               parse   = [&](const std::string &entry,
                            const std::string &text,
-                           const Constants &  copy) {
+                           const Constants   &copy) {
       const auto parts = Utilities::split_string_list(text, ';');
       AssertThrow(parts.size() == 3,
                   ExcParameter(path + entry,
                                text,
                                "three times 'free' or a formula, separated by "
-                               "';'"));
+                                               "';'"));
       Constants constants = fibers.scene.constants;
       constants.insert(copy.begin(), copy.end());
       std::array<const Expression *, 3> result = {};
@@ -167,9 +169,8 @@ namespace Setae
 
 
   AffineConstraints<double>
-  Supports::increment_to(
-    const double                         time,
-    const TrilinosWrappers::MPI::Vector &solution) const
+  Supports::increment_to(const double                         time,
+                         const TrilinosWrappers::MPI::Vector &solution) const
   {
     AffineConstraints<double> constraints;
     for (const auto &[dof, entry] : prescribed)
@@ -187,7 +188,7 @@ namespace Setae
   Supports::report(const double                         time,
                    const TrilinosWrappers::MPI::Vector &residual) const
   {
-    const auto &               supports = fibers.scene.supports;
+    const auto                &supports = fibers.scene.supports;
     std::vector<SupportReport> result(supports.size());
     for (unsigned int i = 0; i < supports.size(); ++i)
       result[i] = {supports[i].name, {}, {}, {}};

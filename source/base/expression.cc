@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 The Setae authors
 
-#include <setae/base/exceptions.h>
-#include <setae/base/expression.h>
-
 #include <deal.II/base/function_parser.h>
 #include <deal.II/base/utilities.h>
+
+#include <setae/base/exceptions.h>
+#include <setae/base/expression.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ namespace Setae
     split(const std::string &parameter,
           const std::string &text,
           const std::string &variables,
-          const Constants &  constants)
+          const Constants   &constants)
     {
       const auto parts = Utilities::split_string_list(text, ';');
       AssertThrow(parts.size() == 3,
@@ -57,7 +57,7 @@ namespace Setae
   Expression::Expression(const std::string &parameter,
                          const std::string &text,
                          const std::string &variables,
-                         const Constants &  constants)
+                         const Constants   &constants)
     : parameter(parameter)
     , text(text)
     , parser(std::make_unique<FunctionParser<2>>(1))
@@ -111,7 +111,7 @@ namespace Setae
   VectorExpression::VectorExpression(const std::string &parameter,
                                      const std::string &text,
                                      const std::string &variables,
-                                     const Constants &  constants)
+                                     const Constants   &constants)
     : components(split(parameter, text, variables, constants))
   {}
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 The Setae authors
 
-#include <setae/base/exceptions.h>
-#include <setae/fibers/centerline.h>
-
 #include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/tria.h>
 
 #include <boost/math/differentiation/finite_difference.hpp>
+
+#include <setae/base/exceptions.h>
+#include <setae/fibers/centerline.h>
 
 #include <algorithm>
 
@@ -26,8 +26,8 @@ namespace Setae
     /** Nodes at equal steps of s. */
     Centerline
     from_formula(const FiberParameters &parameters,
-                 const Constants &      constants,
-                 const Constants &      copy)
+                 const Constants       &constants,
+                 const Constants       &copy)
     {
       Constants all = constants;
       all.insert(copy.begin(), copy.end());
@@ -74,11 +74,10 @@ namespace Setae
       for (unsigned int i = 0; i < n[0]; ++i)
         for (unsigned int j = 0; j < n[1]; ++j)
           for (unsigned int k = 0; k < n[2]; ++k)
-            lines.push_back(from_formula(parameters,
-                                         constants,
-                                         {{"i", double(i)},
-                                          {"j", double(j)},
-                                          {"k", double(k)}}));
+            lines.push_back(from_formula(
+              parameters,
+              constants,
+              {{"i", double(i)}, {"j", double(j)}, {"k", double(k)}}));
       return lines;
     }
 
@@ -94,7 +93,7 @@ namespace Setae
     {
       const Tensor<1, 3> a = middle - left, b = right - middle;
       const double       l = a.norm(), r = b.norm();
-      const Tensor<1, 3> t = (r / l) * a + (l / r) * b;
+      const Tensor<1, 3> t    = (r / l) * a + (l / r) * b;
       const Tensor<1, 3> unit = t / t.norm();
 
       // On a circle, a chord is the mirror axis of the tangents at its ends.
@@ -106,7 +105,7 @@ namespace Setae
     std::vector<unsigned int>
     chain(const std::vector<std::vector<unsigned int>> &neighbors,
           const unsigned int                            first,
-          std::vector<bool> &                           visited)
+          std::vector<bool>                            &visited)
     {
       std::vector<unsigned int> nodes = {first};
       visited[first]                  = true;
@@ -126,7 +125,7 @@ namespace Setae
     }
 
     Centerline
-    from_nodes(const std::vector<Point<3>> &    vertices,
+    from_nodes(const std::vector<Point<3>>     &vertices,
                const std::vector<unsigned int> &nodes,
                const bool                       closed)
     {
@@ -136,7 +135,7 @@ namespace Setae
       for (const unsigned int node : nodes)
         line.positions.push_back(vertices[node]);
 
-      const auto & x = line.positions;
+      const auto        &x = line.positions;
       const unsigned int n = x.size();
       for (unsigned int i = 0; i < n; ++i)
         if (closed || (i > 0 && i + 1 < n))
@@ -155,7 +154,7 @@ namespace Setae
     std::vector<Centerline>
     from_mesh_file(const FiberParameters &parameters)
     {
-      const std::string parameter = path(parameters, "mesh file");
+      const std::string   parameter = path(parameters, "mesh file");
       Triangulation<1, 3> mesh;
       try
         {
@@ -219,7 +218,7 @@ namespace Setae
 
   std::vector<Centerline>
   make_centerlines(const FiberParameters &parameters,
-                   const Constants &      constants)
+                   const Constants       &constants)
   {
     return parameters.mesh_file.empty() ? from_formulas(parameters, constants) :
                                           from_mesh_file(parameters);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 The Setae authors
 
-#include <setae/base/exceptions.h>
-#include <setae/fe/fe_hermite.h>
-#include <setae/fibers/fiber_system.h>
-
 #include <deal.II/base/quadrature_lib.h>
 
 #include <deal.II/dofs/dof_tools.h>
+
+#include <setae/base/exceptions.h>
+#include <setae/fe/fe_hermite.h>
+#include <setae/fibers/fiber_system.h>
 
 #include <algorithm>
 
@@ -33,12 +33,11 @@ namespace Setae
   FiberSystem::FiberSystem(const Scene &scene, MPI_Comm communicator)
     : scene(scene)
     , communicator(communicator)
-    , triangulation(communicator,
-                    Triangulation<1, 3>::none,
-                    false,
-                    parallel::shared::Triangulation<
-                      1,
-                      3>::partition_custom_signal)
+    , triangulation(
+        communicator,
+        Triangulation<1, 3>::none,
+        false,
+        parallel::shared::Triangulation<1, 3>::partition_custom_signal)
     , fe(FE_Hermite<1, 3>(), scene.active_coordinates().size())
     , dof_handler(triangulation)
   {
@@ -55,7 +54,7 @@ namespace Setae
     std::vector<CellData<1>> cells;
     for (unsigned int p = 0; p < scene.fibers.size(); ++p)
       {
-        const FiberParameters &       parameters = scene.fibers[p];
+        const FiberParameters        &parameters = scene.fibers[p];
         const std::vector<Centerline> lines =
           make_centerlines(parameters, scene.constants);
         for (unsigned int l = 0; l < lines.size(); ++l)
@@ -63,7 +62,7 @@ namespace Setae
             const Centerline &line = lines[l];
             check_curvature(line, "fibers/" + parameters.name + "/centerline");
 
-            Fiber fiber{p,
+            Fiber              fiber{p,
                         parameters.name +
                           (lines.size() > 1 ? " " + std::to_string(l) : ""),
                         line.copy,
@@ -98,9 +97,9 @@ namespace Setae
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
     triangulation.signals.create.connect([this, n_ranks]() {
       for (const auto &cell : triangulation.active_cell_iterators())
-        cell->set_subdomain_id(static_cast<unsigned long>(
-                                 cell->active_cell_index()) *
-                               n_ranks / triangulation.n_active_cells());
+        cell->set_subdomain_id(
+          static_cast<unsigned long>(cell->active_cell_index()) * n_ranks /
+          triangulation.n_active_cells());
     });
     triangulation.create_triangulation(vertices, cells, SubCellData());
   }
@@ -134,7 +133,7 @@ namespace Setae
 
 
   void
-  FiberSystem::check_curvature(const Centerline & line,
+  FiberSystem::check_curvature(const Centerline  &line,
                                const std::string &parameter) const
   {
     if (line.is_straight())
@@ -170,9 +169,8 @@ namespace Setae
   FiberSystem::distance_along_fiber(const unsigned int cell_1,
                                     const unsigned int cell_2) const
   {
-    const Fiber &      fiber = fibers[fiber_of_cell[cell_1]];
-    const unsigned int n =
-      cell_1 > cell_2 ? cell_1 - cell_2 : cell_2 - cell_1;
+    const Fiber       &fiber = fibers[fiber_of_cell[cell_1]];
+    const unsigned int n = cell_1 > cell_2 ? cell_1 - cell_2 : cell_2 - cell_1;
     return fiber.closed ? std::min(n, fiber.n_cells - n) : n;
   }
 
@@ -200,7 +198,7 @@ namespace Setae
                         const bool         tangent,
                         const unsigned int coordinate) const
   {
-    const Fiber &      f       = fibers[fiber];
+    const Fiber       &f       = fibers[fiber];
     const bool         is_left = node < f.n_cells;
     const unsigned int cell    = f.first_cell + (is_left ? node : node - 1);
     const unsigned int shape   = (is_left ? 0 : 2) + (tangent ? 1 : 0);

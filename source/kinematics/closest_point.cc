@@ -124,10 +124,10 @@ namespace Setae
 
     void
     find_minima(const HermiteCell<> &cell,
-                const Quintic &      p,
+                const Quintic       &p,
                 const double         a,
                 const double         b,
-                Projections &        result)
+                Projections         &result)
     {
       // Two roots closer than this are one flat place of the distance.
       constexpr double smallest_interval = 1e-9;
@@ -156,8 +156,8 @@ namespace Setae
 
   Projections
   closest_points(const HermiteCell<> &cell,
-                 const Tensor<1, 3> & point,
-                 const FiberEnds &    ends)
+                 const Tensor<1, 3>  &point,
+                 const FiberEnds     &ends)
   {
     HermiteCell<> relative = cell;
     relative.coefficients[0] -= point;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 The Setae authors
 
-#include <setae/output/visualization.h>
-
 #include <deal.II/base/data_out_base.h>
+
+#include <setae/output/visualization.h>
 
 #include <fstream>
 
@@ -14,8 +14,8 @@ namespace Setae
   namespace
   {
     /**
-     * Patches that are made elsewhere, with the names of their data. Vectors come
-     * first, three components each.
+     * Patches that are made elsewhere, with the names of their data. Vectors
+     * come first, three components each.
      */
     template <int dim>
     class PatchOutput : public DataOutInterface<dim, 3>
@@ -85,8 +85,8 @@ namespace Setae
 
 
     void
-    write_record(const std::string &                                directory,
-                 const std::string &                                name,
+    write_record(const std::string                                 &directory,
+                 const std::string                                 &name,
                  const std::vector<std::pair<double, std::string>> &files)
     {
       std::ofstream stream(directory + name);
@@ -105,8 +105,8 @@ namespace Setae
 
 
   void
-  Visualization::write(const State &                                   state,
-                       const StrainEnergy &                            strain,
+  Visualization::write(const State                                    &state,
+                       const StrainEnergy                             &strain,
                        const std::vector<std::unique_ptr<EnergyTerm>> &terms)
   {
     write_fibers(state, strain);
@@ -125,20 +125,20 @@ namespace Setae
     const unsigned int n_data = 12, n = fibers.scene.output.n_subdivisions;
     for (const unsigned int cell : fibers.owned_cells)
       {
-        const HermiteCell<> &current = state.current[cell];
+        const HermiteCell<>     &current = state.current[cell];
         DataOutBase::Patch<1, 3> patch;
-        patch.patch_index    = output.patches.size();
-        patch.n_subdivisions = n;
-        patch.vertices[0]    = Point<3>(current.position(0.));
-        patch.vertices[1]    = Point<3>(current.position(1.));
+        patch.patch_index          = output.patches.size();
+        patch.n_subdivisions       = n;
+        patch.vertices[0]          = Point<3>(current.position(0.));
+        patch.vertices[1]          = Point<3>(current.position(1.));
         patch.points_are_available = true;
         patch.data.reinit(n_data + 3, n + 1);
         for (unsigned int i = 0; i <= n; ++i)
           {
-            const double        x = static_cast<double>(i) / n;
-            const Tensor<1, 3>  r = current.position(x);
-            const Tensor<1, 3>  u = state.displacement[cell].position(x);
-            const Tensor<1, 3>  t = current.derivative(x);
+            const double        x      = static_cast<double>(i) / n;
+            const Tensor<1, 3>  r      = current.position(x);
+            const Tensor<1, 3>  u      = state.displacement[cell].position(x);
+            const Tensor<1, 3>  t      = current.derivative(x);
             const SectionForces forces = strain.section_forces(state, cell, x);
             for (unsigned int c = 0; c < 3; ++c)
               {
@@ -164,7 +164,7 @@ namespace Setae
 
   void
   Visualization::write_forces(
-    const State &                                   state,
+    const State                                    &state,
     const std::vector<std::unique_ptr<EnergyTerm>> &terms)
   {
     std::vector<SiteForce> forces;
@@ -183,10 +183,11 @@ namespace Setae
         patch.data(3, 0) = site.gap;
         output.patches.push_back(patch);
       }
-    force_files.emplace_back(
-      state.time,
-      output.write_time(
-        directory, "interaction", counter, fibers.communicator));
+    force_files.emplace_back(state.time,
+                             output.write_time(directory,
+                                               "interaction",
+                                               counter,
+                                               fibers.communicator));
     if (Utilities::MPI::this_mpi_process(fibers.communicator) == 0)
       write_record(directory, "interaction.pvd", force_files);
   }

@@ -10,7 +10,7 @@
 namespace Setae
 {
   LoadStepping::LoadStepping(const LoadSteppingParameters &parameters,
-                             const Constants &             constants)
+                             const Constants              &constants)
     : parameters(parameters)
     , largest_step("load stepping/largest step",
                    parameters.largest_step,
@@ -46,8 +46,8 @@ namespace Setae
     const double step = step_size();
     current_time      = next_time();
 
-    // Newton's method converges in a number of iterations that grows slowly with
-    // the size of the step; the square keeps the reaction gentle.
+    // Newton's method converges in a number of iterations that grows slowly
+    // with the size of the step; the square keeps the reaction gentle.
     const double ratio =
       static_cast<double>(parameters.target_n_iterations) / n_iterations;
     size = step * std::clamp(ratio * ratio, .5, parameters.growth);

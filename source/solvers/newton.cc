@@ -16,7 +16,7 @@ namespace Setae
 
   SolverResult
   Newton::solve(NonlinearSystem &system,
-                Vector &         solution,
+                Vector          &solution,
                 const double     time) const
   {
     // An increment that helps only when it is much shorter than it should be
@@ -51,7 +51,8 @@ namespace Setae
             trial.add(factor, increment);
             next = system.evaluate(trial, time, SupportIncrement::at_rest);
             const bool decreases =
-              next.residual_norm <= (1. - 1e-4 * factor) * state.residual_norm ||
+              next.residual_norm <=
+                (1. - 1e-4 * factor) * state.residual_norm ||
               next.residual_norm < parameters.residual_tolerance;
             if (next.is_valid && (is_predictor || decreases))
               break;

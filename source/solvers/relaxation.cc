@@ -10,7 +10,7 @@
 namespace Setae
 {
   Relaxation::Relaxation(const NewtonParameters &parameters,
-                         const Newton::Log &     log)
+                         const Newton::Log      &log)
     : parameters(parameters)
     , log(log)
   {}
@@ -19,7 +19,7 @@ namespace Setae
 
   SolverResult
   Relaxation::solve(NonlinearSystem &system,
-                    Vector &         solution,
+                    Vector          &solution,
                     const double     time) const
   {
     constexpr double       first_step = 1e3, smallest_step = 1e-6;
@@ -77,11 +77,11 @@ namespace Setae
 
   Relaxation::Step
   Relaxation::advance(NonlinearSystem &system,
-                      Vector &         current,
-                      const Vector &   coefficients,
+                      Vector          &current,
+                      const Vector    &coefficients,
                       const double     time,
                       const double     upper_bound,
-                      SolverResult &   result) const
+                      SolverResult    &result) const
   {
     // Fibers that turn stretch at first; a second iteration takes that back.
     constexpr unsigned int max_n_iterations = 3;

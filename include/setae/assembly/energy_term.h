@@ -4,10 +4,10 @@
 #ifndef setae_assembly_energy_term_h
 #define setae_assembly_energy_term_h
 
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+
 #include <setae/assembly/global_system.h>
 #include <setae/interactions/line_sites.h>
-
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
 
 #include <string>
 
@@ -59,7 +59,7 @@ namespace Setae
      * @return The energy of this rank [energy].
      */
     virtual double
-    assemble(const State &state,
+    assemble(const State  &state,
              const Request request,
              GlobalSystem &system) = 0;
 

@@ -4,14 +4,14 @@
 #ifndef setae_assembly_global_system_h
 #define setae_assembly_global_system_h
 
-#include <setae/base/local_system.h>
-#include <setae/fibers/fiber_system.h>
-
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_vector.h>
 #include <deal.II/lac/vector.h>
+
+#include <setae/base/local_system.h>
+#include <setae/fibers/fiber_system.h>
 
 namespace Setae
 {
@@ -35,7 +35,7 @@ namespace Setae
      * freedom and must live until finish().
      */
     void
-    start(const Request                           request,
+    start(const Request                            request,
           const dealii::AffineConstraints<double> &constraints);
 
     /** Add the system of one cell. */
@@ -60,9 +60,9 @@ namespace Setae
     template <unsigned int n>
     void
     add(const std::array<dealii::types::global_dof_index, n> &dofs,
-        const LocalSystem<n> &                                local);
+        const LocalSystem<n>                                 &local);
 
-    const FiberSystem &                      fibers;
+    const FiberSystem                       &fibers;
     Request                                  request     = Request::energy;
     const dealii::AffineConstraints<double> *constraints = nullptr;
 

@@ -17,7 +17,7 @@ namespace Setae
    * @throws ExcParameter if the parameters do not fit the fibers.
    */
   std::unique_ptr<EnergyTerm>
-  make_interaction(const FiberSystem &          fibers,
+  make_interaction(const FiberSystem           &fibers,
                    const InteractionParameters &parameters);
 } // namespace Setae
 

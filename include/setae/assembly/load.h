@@ -9,7 +9,8 @@
 namespace Setae
 {
   /**
-   * Dead forces and moments about fixed axes, at points of fibers or along them.
+   * Dead forces and moments about fixed axes, at points of fibers or along
+   * them.
    *
    * A force is conservative and has the energy -f.u. A moment m does the work
    * @f$m\cdot(t\times\delta t)@f$ with the unit tangent t, so it acts on r' with
@@ -29,7 +30,7 @@ namespace Setae
     }
 
     double
-    assemble(const State &state,
+    assemble(const State  &state,
              const Request request,
              GlobalSystem &system) override;
 
@@ -44,8 +45,8 @@ namespace Setae
     };
 
     void
-    add_site(const Site &     site,
-             const State &    state,
+    add_site(const Site      &site,
+             const State     &state,
              const Request    request,
              LocalSystem<12> &local) const;
 

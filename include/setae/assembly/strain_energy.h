@@ -26,7 +26,7 @@ namespace Setae
     }
 
     double
-    assemble(const State &state,
+    assemble(const State  &state,
              const Request request,
              GlobalSystem &system) override;
 
@@ -35,12 +35,12 @@ namespace Setae
      * owned cell.
      */
     SectionForces
-    section_forces(const State &      state,
+    section_forces(const State       &state,
                    const unsigned int cell,
                    const double       x) const;
 
   private:
-    const FiberSystem &               fibers;
+    const FiberSystem                &fibers;
     std::vector<TorsionFreeKirchhoff> beams; ///< of the owned cells
   };
 } // namespace Setae

@@ -4,18 +4,18 @@
 #ifndef setae_assembly_supports_h
 #define setae_assembly_supports_h
 
-#include <setae/fibers/fiber_system.h>
-
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/trilinos_vector.h>
+
+#include <setae/fibers/fiber_system.h>
 
 #include <map>
 
 namespace Setae
 {
   /**
-   * Displacement and reaction of a named support, for the statistics. Components
-   * that the support leaves free are not valid.
+   * Displacement and reaction of a named support, for the statistics.
+   * Components that the support leaves free are not valid.
    */
   struct SupportReport
   {
@@ -28,14 +28,15 @@ namespace Setae
 
 
   /**
-   * All supports of a scene: prescribed degrees of freedom as functions of time.
+   * All supports of a scene: prescribed degrees of freedom as functions of
+   * time.
    */
   class Supports
   {
   public:
     /**
-     * @throws ExcParameter if a place has no node, a component is held twice, or
-     * a fiber is not supported at all.
+     * @throws ExcParameter if a place has no node, a component is held twice,
+     * or a fiber is not supported at all.
      */
     explicit Supports(const FiberSystem &fibers);
 

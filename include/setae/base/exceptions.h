@@ -6,6 +6,7 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <sstream>
 #include <string>
 
 namespace Setae
@@ -20,6 +21,23 @@ namespace Setae
                  std::string,
                  << "The parameter '" << arg1 << "' has the value '" << arg2
                  << "', but must be " << arg3 << '.');
+
+  /**
+   * @throws ExcParameter unless @p condition holds.
+   */
+  template <typename Value>
+  void
+  require(const bool         condition,
+          const std::string &parameter,
+          const Value       &value,
+          const std::string &allowed)
+  {
+    if (condition)
+      return;
+    std::ostringstream text;
+    text << value;
+    AssertThrow(false, ExcParameter(parameter, text.str(), allowed));
+  }
 
   /** Anything else a user can put right, in one sentence. */
   DeclException1(ExcInput, std::string, << arg1);

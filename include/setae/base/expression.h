@@ -47,7 +47,7 @@ namespace Setae
     Expression(const std::string &parameter,
                const std::string &text,
                const std::string &variables,
-               const Constants &  constants);
+               const Constants   &constants);
     ~Expression();
     Expression(Expression &&) noexcept;
 
@@ -70,7 +70,7 @@ namespace Setae
     VectorExpression(const std::string &parameter,
                      const std::string &text,
                      const std::string &variables,
-                     const Constants &  constants);
+                     const Constants   &constants);
 
     Tensor<1, 3>
     operator()(const double first, const double second = 0.) const;

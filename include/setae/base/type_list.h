@@ -46,7 +46,8 @@ namespace Setae
     {
       const bool found =
         ((name == Types::name ? (visit(Tag<Types>()), true) : false) || ...);
-      AssertThrow(found, ExcInput("'" + name + "' is none of " + names() + "."));
+      AssertThrow(found,
+                  ExcInput("'" + name + "' is none of " + names() + "."));
     }
 
     template <typename T>

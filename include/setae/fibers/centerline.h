@@ -48,12 +48,12 @@ namespace Setae
   /**
    * The centerlines of the copies of a fiber, from its formula or mesh file.
    *
-   * @throws ExcParameter if a formula gives no regular curve or a file cannot be
-   * read.
+   * @throws ExcParameter if a formula gives no regular curve or a file cannot
+   * be read.
    */
   std::vector<Centerline>
   make_centerlines(const FiberParameters &parameters,
-                   const Constants &      constants);
+                   const Constants       &constants);
 } // namespace Setae
 
 #endif

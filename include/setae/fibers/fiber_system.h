@@ -4,10 +4,6 @@
 #ifndef setae_fibers_fiber_system_h
 #define setae_fibers_fiber_system_h
 
-#include <setae/fibers/centerline.h>
-#include <setae/kinematics/closest_point.h>
-#include <setae/scene.h>
-
 #include <deal.II/base/index_set.h>
 #include <deal.II/base/mpi.h>
 
@@ -18,6 +14,10 @@
 #include <deal.II/fe/fe_system.h>
 
 #include <deal.II/lac/trilinos_vector.h>
+
+#include <setae/fibers/centerline.h>
+#include <setae/kinematics/closest_point.h>
+#include <setae/scene.h>
 
 #include <limits>
 
@@ -57,8 +57,8 @@ namespace Setae
   /**
    * All fibers of a scene: mesh, degrees of freedom, initial centerlines.
    *
-   * The unknowns are the displacements of the active coordinates in the space of
-   * FE_Hermite. Every rank knows the whole mesh (lines are light) and owns a
+   * The unknowns are the displacements of the active coordinates in the space
+   * of FE_Hermite. Every rank knows the whole mesh (lines are light) and owns a
    * contiguous part of the cells. The kernels always see three coordinates; the
    * entries of a coordinate that is switched off have the degree of freedom
    * numbers::invalid_dof_index and are dropped in the assembly.
@@ -70,9 +70,9 @@ namespace Setae
 
     FiberSystem(const Scene &scene, MPI_Comm communicator);
 
-    const Scene &           scene;
-    const MPI_Comm          communicator;
-    std::vector<Fiber>      fibers;
+    const Scene               &scene;
+    const MPI_Comm             communicator;
+    std::vector<Fiber>         fibers;
     std::vector<HermiteCell<>> initial; ///< initial curve of each cell
 
     /** The fiber of each cell. */

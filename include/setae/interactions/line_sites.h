@@ -4,9 +4,9 @@
 #ifndef setae_interactions_line_sites_h
 #define setae_interactions_line_sites_h
 
-#include <setae/kinematics/hermite.h>
-
 #include <deal.II/base/quadrature.h>
+
+#include <setae/kinematics/hermite.h>
 
 #include <limits>
 #include <vector>
@@ -14,8 +14,8 @@
 namespace Setae
 {
   /**
-   * A quadrature point of a fiber: where it is, the direction of the curve there
-   * and what is needed to distribute its force to the cell.
+   * A quadrature point of a fiber: where it is, the direction of the curve
+   * there and what is needed to distribute its force to the cell.
    */
   struct LineSite
   {
@@ -33,9 +33,9 @@ namespace Setae
    */
   inline void
   evaluate_sites(const dealii::Quadrature<1> &rule,
-                 const HermiteCell<> &        initial,
-                 const HermiteCell<> &        current,
-                 std::vector<LineSite> &      sites)
+                 const HermiteCell<>         &initial,
+                 const HermiteCell<>         &current,
+                 std::vector<LineSite>       &sites)
   {
     sites.resize(rule.size());
     for (unsigned int q = 0; q < rule.size(); ++q)
@@ -53,8 +53,8 @@ namespace Setae
 
 
   /**
-   * What an evaluation saw of the gaps: the smallest one and where on the source
-   * it is.
+   * What an evaluation saw of the gaps: the smallest one and where on the
+   * source it is.
    */
   struct GapReport
   {

@@ -43,17 +43,17 @@ namespace Setae
      * cells (source first).
      *
      * @return The smallest gap to the target cell [length], infinity beyond the
-     * cutoff. Nothing is added if the law cannot be evaluated because the gap is
-     * not positive and the law not regularized: the caller must then discard the
-     * state.
+     * cutoff. Nothing is added if the law cannot be evaluated because the gap
+     * is not positive and the law not regularized: the caller must then discard
+     * the state.
      */
     double
-    add(const LineSite &     site,
+    add(const LineSite      &site,
         const HermiteCell<> &target,
-        const FiberEnds &    ends,
+        const FiberEnds     &ends,
         const double         weight,
         const Request        request,
-        LocalSystem<24> &    local) const
+        LocalSystem<24>     &local) const
     {
       double smallest_gap = std::numeric_limits<double>::infinity();
       for (const Projection &projection : closest_points(target, site.r, ends))
@@ -77,7 +77,8 @@ namespace Setae
                        target,
                        projection,
                        pair,
-                       geometry.energy(derivatives, request >= Request::tangent),
+                       geometry.energy(derivatives,
+                                       request >= Request::tangent),
                        request,
                        local);
         }
@@ -88,9 +89,9 @@ namespace Setae
      * The forces per source length on both centerlines at one site, for output.
      */
     void
-    forces(const LineSite &        site,
-           const HermiteCell<> &   target,
-           const FiberEnds &       ends,
+    forces(const LineSite         &site,
+           const HermiteCell<>    &target,
+           const FiberEnds        &ends,
            const double            factor,
            std::vector<SiteForce> &result) const
     {
@@ -111,7 +112,8 @@ namespace Setae
     }
 
     /**
-     * The energy of one site on any number type, from coefficients of that type:
+     * The energy of one site on any number type, from coefficients of that
+     * type:
      * the reference for the derivatives. @p x is a converged closest point; two
      * Newton steps on the number type give it its first and second derivatives.
      */
@@ -119,8 +121,8 @@ namespace Setae
     Number
     energy(const Tensor<1, 3, Number> &r1,
            const Tensor<1, 3, Number> &a1,
-           const HermiteCell<Number> & target,
-           const Projection &          projection) const
+           const HermiteCell<Number>  &target,
+           const Projection           &projection) const
     {
       using std::sqrt;
       Number x = projection.x;
@@ -131,10 +133,10 @@ namespace Setae
             const Tensor<1, 3, Number> r_x = target.derivative(x);
             x -= (d * r_x) / (d * target.second_derivative(x) - r_x * r_x);
           }
-      const Tensor<1, 3, Number> d  = r1 - target.position(x);
-      const Tensor<1, 3, Number> a2 = target.derivative(x);
-      const Number               gap    = sqrt(d * d) - sum_of_radii;
-      const Number               cosine = (a1 * a2) / sqrt((a1 * a1) * (a2 * a2));
+      const Tensor<1, 3, Number> d   = r1 - target.position(x);
+      const Tensor<1, 3, Number> a2  = target.derivative(x);
+      const Number               gap = sqrt(d * d) - sum_of_radii;
+      const Number cosine            = (a1 * a2) / sqrt((a1 * a1) * (a2 * a2));
       return law.energy(gap, cosine);
     }
 
@@ -156,13 +158,13 @@ namespace Setae
     };
 
     void
-    distribute(const LineSite &     site,
+    distribute(const LineSite      &site,
                const HermiteCell<> &target,
-               const Projection &   projection,
-               const PointPair &    pair,
+               const Projection    &projection,
+               const PointPair     &pair,
                PointPairEnergy      L,
                const Request        request,
-               LocalSystem<24> &    local) const
+               LocalSystem<24>     &local) const
     {
       using namespace PointPairIndex;
 
@@ -176,9 +178,9 @@ namespace Setae
       // The Lagrangian f - lambda p of a closest point that moves. Where the
       // site sits in the center of curvature of the target, every point nearby
       // is closest and none is preferred: the projection then counts as fixed.
-      const double p_xi  = d * b2 - pair.a2 * pair.a2;
-      const bool   moves = projection.moves &&
-                         p_xi < -1e-8 * pair.a2.norm_square();
+      const double p_xi = d * b2 - pair.a2 * pair.a2;
+      const bool   moves =
+        projection.moves && p_xi < -1e-8 * pair.a2.norm_square();
       if (moves)
         {
           const double lambda =
@@ -232,43 +234,43 @@ namespace Setae
 
     /** Add B^T L_v for the gradient in the four vectors v = B q. */
     static void
-    add_residual(const LineSite &       site,
-                 const TargetShapes &   shapes,
+    add_residual(const LineSite        &site,
+                 const TargetShapes    &shapes,
                  const PointPairEnergy &L,
-                 LocalSystem<24> &      local)
+                 LocalSystem<24>       &local)
     {
       using namespace PointPairIndex;
       for (unsigned int a = 0; a < 4; ++a)
         for (unsigned int c = 0; c < 3; ++c)
           {
-            local.residual[3 * a + c] += site.N[a] * L.gradient[r1][c] +
-                                         site.N_x[a] * L.gradient[a1][c];
-            local.residual[12 + 3 * a + c] +=
-              shapes.M[a] * L.gradient[r2][c] + shapes.M_x[a] * L.gradient[a2][c];
+            local.residual[3 * a + c] +=
+              site.N[a] * L.gradient[r1][c] + site.N_x[a] * L.gradient[a1][c];
+            local.residual[12 + 3 * a + c] += shapes.M[a] * L.gradient[r2][c] +
+                                              shapes.M_x[a] * L.gradient[a2][c];
           }
     }
 
     /**
      * Add B^T L_vv B + w xi_q^T + xi_q w^T, but for the rows of the source in
-     * the columns of the target, which LocalSystem::symmetrize() fills. The last
-     * two rows come by value: then the compiler knows that they are none of the
-     * tangent matrix.
+     * the columns of the target, which LocalSystem::symmetrize() fills. The
+     * last two rows come by value: then the compiler knows that they are none
+     * of the tangent matrix.
      */
     static void
-    add_tangent(const LineSite &       site,
-                const TargetShapes &   shapes,
+    add_tangent(const LineSite        &site,
+                const TargetShapes    &shapes,
                 const PointPairEnergy &L,
                 const Row              xi_q,
                 const Row              w,
-                LocalSystem<24> &      local)
+                LocalSystem<24>       &local)
     {
       using namespace PointPairIndex;
 
       // L_vv B, without the part of r2, which is the negative one of r1 because
       // L depends on r1 - r2 only, and of (a1, target), which is not needed.
-      const auto &       H = L.hessian;
-      const auto &       N = site.N, &N_x = site.N_x;
-      const auto &       M = shapes.M, &M_x = shapes.M_x;
+      const auto        &H = L.hessian;
+      const auto        &N = site.N, &N_x = site.N_x;
+      const auto        &M = shapes.M, &M_x = shapes.M_x;
       std::array<Row, 3> H_r1, H_a1, H_a2;
       for (unsigned int c = 0; c < 3; ++c)
         for (unsigned int b = 0; b < 4; ++b)
@@ -286,10 +288,24 @@ namespace Setae
         for (unsigned int c = 0; c < 3; ++c)
           {
             const unsigned int i = 3 * a + c, j = 12 + i;
-            add_combination<12>(
-              N[a], H_r1[c], N_x[a], H_a1[c], w[i], xi_q, xi_q[i], w, local.tangent[i]);
-            add_combination<24>(
-              -M[a], H_r1[c], M_x[a], H_a2[c], w[j], xi_q, xi_q[j], w, local.tangent[j]);
+            add_combination<12>(N[a],
+                                H_r1[c],
+                                N_x[a],
+                                H_a1[c],
+                                w[i],
+                                xi_q,
+                                xi_q[i],
+                                w,
+                                local.tangent[i]);
+            add_combination<24>(-M[a],
+                                H_r1[c],
+                                M_x[a],
+                                H_a2[c],
+                                w[j],
+                                xi_q,
+                                xi_q[j],
+                                w,
+                                local.tangent[j]);
           }
     }
 
@@ -297,14 +313,14 @@ namespace Setae
     template <unsigned int n>
     static void
     add_combination(const double factor_0,
-        const Row &  row_0,
-        const double factor_1,
-        const Row &  row_1,
-        const double factor_2,
-        const Row &  row_2,
-        const double factor_3,
-        const Row &  row_3,
-        Row &        result)
+                    const Row   &row_0,
+                    const double factor_1,
+                    const Row   &row_1,
+                    const double factor_2,
+                    const Row   &row_2,
+                    const double factor_3,
+                    const Row   &row_3,
+                    Row         &result)
     {
       for (unsigned int k = 0; k < n; ++k)
         result[k] += factor_0 * row_0[k] + factor_1 * row_1[k] +

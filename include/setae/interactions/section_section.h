@@ -37,11 +37,11 @@ namespace Setae
      * regularized: the caller must then discard the state.
      */
     double
-    add(const LineSite &             source,
+    add(const LineSite              &source,
         const std::vector<LineSite> &targets,
         const double                 factor,
         const Request                request,
-        LocalSystem<24> &            local) const
+        LocalSystem<24>             &local) const
     {
       double smallest_gap = std::numeric_limits<double>::infinity();
 
@@ -114,7 +114,7 @@ namespace Setae
     add_forces(const std::vector<LineSite> &sites,
                const std::vector<LineSite> &others,
                const double                 factor,
-               std::vector<SiteForce> &     forces) const
+               std::vector<SiteForce>      &forces) const
     {
       if (forces.empty())
         for (const LineSite &site : sites)
@@ -156,11 +156,11 @@ namespace Setae
 
   private:
     static void
-    add_block(const unsigned int           row,
-              const unsigned int           column,
-              const double                 factor,
+    add_block(const unsigned int  row,
+              const unsigned int  column,
+              const double        factor,
               const Tensor<2, 3> &H,
-              LocalSystem<24> &            local)
+              LocalSystem<24>    &local)
     {
       for (unsigned int c = 0; c < 3; ++c)
         for (unsigned int e = 0; e < 3; ++e)

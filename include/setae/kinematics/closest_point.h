@@ -4,9 +4,9 @@
 #ifndef setae_kinematics_closest_point_h
 #define setae_kinematics_closest_point_h
 
-#include <setae/kinematics/hermite.h>
-
 #include <boost/container/static_vector.hpp>
+
+#include <setae/kinematics/hermite.h>
 
 namespace Setae
 {
@@ -39,20 +39,20 @@ namespace Setae
    * The derivative of half the squared distance,
    * @f$p(x)=(r(x)-\mathrm{point})\cdot r_{,x}(x)@f$, is a quintic. Its
    * Bernstein coefficients bound the number of its roots (Descartes), so that
-   * bisection isolates every root and Newton's method polishes it: no minimum is
-   * missed and none is found twice, whatever the starting point.
+   * bisection isolates every root and Newton's method polishes it: no minimum
+   * is missed and none is found twice, whatever the starting point.
    *
    * The sign of p at a node is computed from the data of that node alone, hence
-   * is bitwise the same in both cells that share it, and zero counts as positive.
-   * So a minimum at a node belongs to exactly one of the two cells, and the
-   * closest point of a fiber can pass from cell to cell without being lost or
-   * counted twice. A fiber end is a minimum where the distance grows towards the
-   * inside; it does not move.
+   * is bitwise the same in both cells that share it, and zero counts as
+   * positive. So a minimum at a node belongs to exactly one of the two cells,
+   * and the closest point of a fiber can pass from cell to cell without being
+   * lost or counted twice. A fiber end is a minimum where the distance grows
+   * towards the inside; it does not move.
    */
   Projections
-  closest_points(const HermiteCell<> &   cell,
-                 const Tensor<1, 3> &    point,
-                 const FiberEnds &       ends);
+  closest_points(const HermiteCell<> &cell,
+                 const Tensor<1, 3>  &point,
+                 const FiberEnds     &ends);
 } // namespace Setae
 
 #endif

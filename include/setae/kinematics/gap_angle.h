@@ -4,9 +4,9 @@
 #ifndef setae_kinematics_gap_angle_h
 #define setae_kinematics_gap_angle_h
 
-#include <setae/base/law_derivatives.h>
-
 #include <deal.II/base/tensor.h>
+
+#include <setae/base/law_derivatives.h>
 
 #include <array>
 
@@ -32,8 +32,8 @@ namespace Setae
   /** Energy of a PointPair with gradient and Hessian in its four vectors. */
   struct PointPairEnergy
   {
-    double                                  value = 0.;
-    std::array<Tensor<1, 3>, 4>             gradient;
+    double                                     value = 0.;
+    std::array<Tensor<1, 3>, 4>                gradient;
     std::array<std::array<Tensor<2, 3>, 4>, 4> hessian;
   };
 
@@ -96,13 +96,14 @@ namespace Setae
       const double mixed   = law.c / (length_1 * length_2);
       const double bend_1  = law.c / length_1;
       const double bend_2  = law.c / length_2;
-      auto &       H       = result.hessian;
+      auto        &H       = result.hessian;
       for (unsigned int i = 0; i < 3; ++i)
         for (unsigned int j = 0; j < 3; ++j)
           {
             const double I = i == j ? 1. : 0.;
 
-            const double rr  = law.gg * n[i] * n[j] + lateral * (I - n[i] * n[j]);
+            const double rr =
+              law.gg * n[i] * n[j] + lateral * (I - n[i] * n[j]);
             H[r1][r1][i][j] = H[r2][r2][i][j] = rr;
             H[r1][r2][i][j] = H[r2][r1][i][j] = -rr;
 

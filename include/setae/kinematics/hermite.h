@@ -49,10 +49,8 @@ namespace Setae
     std::array<Number, n_shapes>
     shape_second_derivatives(const Number &x, const double h)
     {
-      return {{12. * x - 6.,
-               h * (6. * x - 4.),
-               6. - 12. * x,
-               h * (6. * x - 2.)}};
+      return {
+        {12. * x - 6., h * (6. * x - 4.), 6. - 12. * x, h * (6. * x - 2.)}};
     }
 
     inline std::array<double, n_shapes>

@@ -12,8 +12,8 @@
 namespace Setae
 {
   /**
-   * A disk of the source fiber and an infinite cylinder along the tangent of the
-   * target at the closest point (SBIP eq. 17), integrated over the source:
+   * A disk of the source fiber and an infinite cylinder along the tangent of
+   * the target at the closest point (SBIP eq. 17), integrated over the source:
    * @f[ \tilde\pi_m(g,\alpha) = K_m \rho_1\rho_2
    *     \sqrt{\frac{2R_1R_2}{R_1\cos^2\alpha+R_2}}\; g^{9/2-m}, \qquad m\ge 6. @f]
    * Exact for parallel cylinders as the gap closes; at other angles the energy
@@ -23,7 +23,7 @@ namespace Setae
   class DiskCylinder
   {
   public:
-    static constexpr const char * name              = "disk-cylinder";
+    static constexpr const char  *name              = "disk-cylinder";
     static constexpr unsigned int smallest_exponent = 6;
 
     static std::string
@@ -35,8 +35,8 @@ namespace Setae
     }
 
     DiskCylinder(const PointPotential &potential,
-                 const SectionPair &   sections,
-                 const GapRange &      range)
+                 const SectionPair    &sections,
+                 const GapRange       &range)
       : R1(sections.radius_1)
       , R2(sections.radius_2)
       , gap_function(terms(potential, sections), range)

@@ -12,8 +12,8 @@
 namespace Setae
 {
   /**
-   * Two disks in one plane at a small gap (SSIP eq. 30-31), integrated over both
-   * centerlines:
+   * Two disks in one plane at a small gap (SSIP eq. 30-31), integrated over
+   * both centerlines:
    * @f[ \tilde{\tilde\pi}_m(g) = c_m\, g^{7/2-m}, \qquad
    *     g = |r_1-r_2|-R_1-R_2, \qquad m \ge 4. @f]
    * It knows nothing of the orientation of the disks: integrated over two
@@ -35,8 +35,8 @@ namespace Setae
     }
 
     DiskDisk(const PointPotential &potential,
-             const SectionPair &   sections,
-             const GapRange &      range)
+             const SectionPair    &sections,
+             const GapRange       &range)
       : gap_function(terms(potential, sections), range)
     {}
 
@@ -57,7 +57,8 @@ namespace Setae
              (gamma * gamma);
     }
 
-    /** Energy per length squared and its derivatives with respect to the gap. */
+    /** Energy per length squared and its derivatives with respect to the gap.
+     */
     GapDerivatives
     operator()(const double gap) const
     {
@@ -92,8 +93,9 @@ namespace Setae
     {
       std::vector<InversePowers::Term> result;
       for (const InversePower &power : potential)
-        result.push_back({coefficient(power.exponent, power.prefactor, sections),
-                          power.exponent - 4});
+        result.push_back(
+          {coefficient(power.exponent, power.prefactor, sections),
+           power.exponent - 4});
       return result;
     }
 

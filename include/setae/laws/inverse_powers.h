@@ -7,6 +7,7 @@
 #include <setae/base/law_derivatives.h>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace Setae

@@ -10,8 +10,8 @@ namespace Setae
 {
   /**
    * Continues a function of the gap below @p gap_regularization as its
-   * second-order Taylor expansion there (SBIP eq. C26-C28), so that the force is
-   * linear in the gap and finite for every gap, also a negative one. A
+   * second-order Taylor expansion there (SBIP eq. C26-C28), so that the force
+   * is linear in the gap and finite for every gap, also a negative one. A
    * regularization gap of zero leaves the function as it is.
    *
    * An equilibrium whose smallest gap is above the regularization gap is an
@@ -43,7 +43,8 @@ namespace Setae
       if (gap >= gap_regularization)
         return function.value(gap);
       const Number x = gap - gap_regularization;
-      return expansion.value + x * (expansion.first + .5 * x * expansion.second);
+      return expansion.value +
+             x * (expansion.first + .5 * x * expansion.second);
     }
 
     GapDerivatives
@@ -52,7 +53,8 @@ namespace Setae
       if (gap >= gap_regularization)
         return function.derivatives(gap);
       const double x = gap - gap_regularization;
-      return {expansion.value + x * (expansion.first + .5 * x * expansion.second),
+      return {expansion.value +
+                x * (expansion.first + .5 * x * expansion.second),
               expansion.first + x * expansion.second,
               expansion.second};
     }

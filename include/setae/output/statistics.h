@@ -4,10 +4,10 @@
 #ifndef setae_output_statistics_h
 #define setae_output_statistics_h
 
+#include <deal.II/base/table_handler.h>
+
 #include <setae/assembly/supports.h>
 #include <setae/solvers/nonlinear_system.h>
-
-#include <deal.II/base/table_handler.h>
 
 #include <string>
 #include <vector>

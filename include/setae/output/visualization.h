@@ -26,8 +26,8 @@ namespace Setae
 
     /** Write one time; collective. */
     void
-    write(const State &                                   state,
-          const StrainEnergy &                            strain,
+    write(const State                                    &state,
+          const StrainEnergy                             &strain,
           const std::vector<std::unique_ptr<EnergyTerm>> &terms);
 
   private:
@@ -35,7 +35,7 @@ namespace Setae
     write_fibers(const State &state, const StrainEnergy &strain);
 
     void
-    write_forces(const State &                                   state,
+    write_forces(const State                                    &state,
                  const std::vector<std::unique_ptr<EnergyTerm>> &terms);
 
     const FiberSystem &fibers;

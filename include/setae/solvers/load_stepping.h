@@ -19,7 +19,7 @@ namespace Setae
   {
   public:
     LoadStepping(const LoadSteppingParameters &parameters,
-                 const Constants &             constants);
+                 const Constants              &constants);
 
     /** The last time with an equilibrium. */
     double
@@ -65,8 +65,8 @@ namespace Setae
     LoadSteppingParameters parameters;
     Expression             largest_step;
     double                 current_time = 0.;
-    double                 failed_time = std::numeric_limits<double>::infinity();
-    double                 size;
+    double failed_time = std::numeric_limits<double>::infinity();
+    double size;
   };
 } // namespace Setae
 

@@ -29,10 +29,10 @@ namespace Setae
    * The first increment starts from the equilibrium of the last load step and
    * takes the supports to their new places: it is the tangent predictor. All
    * further ones are corrections with the supports at rest. A correction is
-   * halved until the norm of the residual decreases and every gap remains valid,
-   * and can be bounded in the displacement of the nodes. A state is accepted if
-   * residual and last increment are below their tolerances and no gap is below
-   * the regularization of its law.
+   * halved until the norm of the residual decreases and every gap remains
+   * valid, and can be bounded in the displacement of the nodes. A state is
+   * accepted if residual and last increment are below their tolerances and no
+   * gap is below the regularization of its law.
    */
   class Newton
   {

@@ -4,9 +4,9 @@
 #ifndef setae_solvers_nonlinear_system_h
 #define setae_solvers_nonlinear_system_h
 
-#include <setae/interactions/line_sites.h>
-
 #include <deal.II/lac/trilinos_vector.h>
+
+#include <setae/interactions/line_sites.h>
 
 #include <limits>
 #include <string>
@@ -58,7 +58,7 @@ namespace Setae
      * unknowns.
      */
     virtual Evaluation
-    evaluate(const Vector &         solution,
+    evaluate(const Vector          &solution,
              const double           time,
              const SupportIncrement supports) = 0;
 
@@ -71,7 +71,8 @@ namespace Setae
     solve(Vector &increment) = 0;
 
     /**
-     * Turn the system of the last evaluation into one step of the implicit Euler
+     * Turn the system of the last evaluation into one step of the implicit
+     * Euler
      * method: add @p coefficients to the diagonal of the matrix, and their
      * product with @p motion, the change since the beginning of the step, to the
      * residual.

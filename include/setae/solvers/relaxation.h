@@ -9,8 +9,8 @@
 namespace Setae
 {
   /**
-   * The overdamped motion to the next stable equilibrium, for loads at which the
-   * branch followed so far has ended.
+   * The overdamped motion to the next stable equilibrium, for loads at which
+   * the branch followed so far has ended.
    *
    * Steps of the implicit Euler method for @f$D\dot X=-R(X)@f$, with D the
    * magnitude of the diagonal of the tangent matrix at the beginning, so that
@@ -44,11 +44,11 @@ namespace Setae
 
     Step
     advance(NonlinearSystem &system,
-            Vector &         current,
-            const Vector &   coefficients,
+            Vector          &current,
+            const Vector    &coefficients,
             const double     time,
             const double     upper_bound,
-            SolverResult &   result) const;
+            SolverResult    &result) const;
 
     NewtonParameters parameters;
     Newton::Log      log;

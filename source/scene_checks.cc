@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 The Setae authors
+
+#include <deal.II/base/patterns.h>
+
+#include <setae/base/exceptions.h>
+#include <setae/laws/all.h>
+#include <setae/scene.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace Setae
+{
+  using namespace dealii;
+
+  namespace
+  {
+    void
+    check_reference(const std::string                  &parameter,
+                    const std::vector<std::string>     &references,
+                    const std::vector<FiberParameters> &fibers)
+    {
+      std::string allowed = "a list of names of fibers: all";
+      for (const FiberParameters &fiber : fibers)
+        allowed += ", " + fiber.name;
+      require(!references.empty(), parameter, "", allowed);
+      for (const std::string &reference : references)
+        require(reference == "all" ||
+                  std::any_of(fibers.begin(),
+                              fibers.end(),
+                              [&](const FiberParameters &fiber) {
+                                return fiber.name == reference;
+                              }),
+                parameter,
+                reference,
+                allowed);
+    }
+
+    void
+    check_places(const std::string              &parameter,
+                 const std::vector<std::string> &places)
+    {
+      require(!places.empty(),
+              parameter,
+              "",
+              "start, end, all or an arc length");
+      for (const std::string &place : places)
+        if (place != "start" && place != "end" && place != "all")
+          require(Patterns::Double(0.).match(place),
+                  parameter,
+                  place,
+                  "start, end, all or an arc length");
+    }
+
+    void
+    check_fiber(const FiberParameters &fiber)
+    {
+      const std::string path = "fibers/" + fiber.name + "/";
+      require(fiber.length > 0., path + "length", fiber.length, "positive");
+      require(fiber.radius > 0., path + "radius", fiber.radius, "positive");
+      require(fiber.youngs_modulus > 0.,
+              path + "youngs modulus",
+              fiber.youngs_modulus,
+              "positive");
+      require(fiber.poisson_ratio > -1. && fiber.poisson_ratio <= .5,
+              path + "poisson ratio",
+              fiber.poisson_ratio,
+              "above -1 and at most 0.5");
+      require(fiber.copies.size() <= 3,
+              path + "copies",
+              fiber.copies.size(),
+              "at most three numbers");
+      if (!fiber.mesh_file.empty())
+        {
+          require(std::filesystem::is_regular_file(fiber.mesh_file),
+                  path + "mesh file",
+                  fiber.mesh_file,
+                  "a file that exists");
+          require(fiber.copies == std::vector<unsigned int>{1},
+                  path + "copies",
+                  fiber.copies[0],
+                  "1 if the centerlines come from a mesh file");
+        }
+    }
+
+    void
+    check_interaction(const InteractionParameters &interaction)
+    {
+      const std::string path = "interactions/" + interaction.name + "/";
+      const bool        has_prefactors = !interaction.prefactors.empty();
+      const bool        has_cylinder_data =
+        interaction.equilibrium_gap != 0. || interaction.force_minimum != 0.;
+      require(has_prefactors != has_cylinder_data,
+              path + "prefactors",
+              has_prefactors ? "and an equilibrium gap as well" : "",
+              "given, or else 'equilibrium gap' and 'force minimum'");
+      if (has_prefactors)
+        require(interaction.prefactors.size() == interaction.exponents.size(),
+                path + "prefactors",
+                interaction.prefactors.size(),
+                "as many as there are exponents, " +
+                  std::to_string(interaction.exponents.size()));
+      else
+        {
+          require(interaction.equilibrium_gap > 0.,
+                  path + "equilibrium gap",
+                  interaction.equilibrium_gap,
+                  "positive");
+          require(interaction.force_minimum < 0.,
+                  path + "force minimum",
+                  interaction.force_minimum,
+                  "negative");
+          require(interaction.exponents == std::vector<unsigned int>({6, 12}),
+                  path + "exponents",
+                  interaction.exponents[0],
+                  "6, 12 with an equilibrium gap");
+        }
+      Laws::dispatch(interaction.law, [&](auto tag) {
+        constexpr unsigned int smallest =
+          decltype(tag)::type::smallest_exponent;
+        for (const unsigned int m : interaction.exponents)
+          require(m >= smallest,
+                  path + "exponents",
+                  m,
+                  "at least " + std::to_string(smallest) + " for the law '" +
+                    interaction.law + "'");
+      });
+      require(interaction.cutoff > 0.,
+              path + "cutoff",
+              interaction.cutoff,
+              "positive");
+      require(interaction.switch_width > 0. && interaction.switch_width <= 1.,
+              path + "switch width",
+              interaction.switch_width,
+              "above 0 and at most 1");
+      require(interaction.regularization <
+                (1. - interaction.switch_width) * interaction.cutoff,
+              path + "regularization gap",
+              interaction.regularization,
+              "below the gap from which on the cutoff acts");
+    }
+  } // namespace
+
+
+
+  void
+  Scene::check() const
+  {
+    require(!fibers.empty(), "fibers/names", "", "at least one name");
+    for (const FiberParameters &fiber : fibers)
+      check_fiber(fiber);
+    for (const SupportParameters &support : supports)
+      {
+        const std::string path = "supports/" + support.name + "/";
+        check_reference(path + "fibers", support.fibers, fibers);
+        check_places(path + "at", support.at);
+      }
+    for (const LoadParameters &load : loads)
+      {
+        const std::string path = "loads/" + load.name + "/";
+        check_reference(path + "fibers", load.fibers, fibers);
+        check_places(path + "at", load.at);
+      }
+    for (const InteractionParameters &interaction : interactions)
+      {
+        const std::string path = "interactions/" + interaction.name + "/";
+        check_reference(path + "source", interaction.source, fibers);
+        check_reference(path + "target", interaction.target, fibers);
+        check_interaction(interaction);
+      }
+
+    const LoadSteppingParameters &steps = load_stepping;
+    require(steps.end_time > 0.,
+            "load stepping/end time",
+            steps.end_time,
+            "positive");
+    require(steps.smallest_step > 0.,
+            "load stepping/smallest step",
+            steps.smallest_step,
+            "positive");
+    require(steps.first_step > 0.,
+            "load stepping/first step",
+            steps.first_step,
+            "positive");
+    require(steps.growth >= 1.,
+            "load stepping/growth",
+            steps.growth,
+            "at least 1");
+    require(newton.residual_tolerance > 0.,
+            "newton/residual tolerance",
+            newton.residual_tolerance,
+            "positive");
+    require(newton.increment_tolerance > 0.,
+            "newton/increment tolerance",
+            newton.increment_tolerance,
+            "positive");
+  }
+} // namespace Setae

@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 The Setae authors
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <setae/beams/all.h>
+#include <setae/laws/all.h>
+#include <setae/scene.h>
+
+#include <limits>
+
+namespace Setae
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr double infinity = std::numeric_limits<double>::max();
+
+    /** A double that is not negative, or not zero either. */
+    Patterns::Double
+    non_negative()
+    {
+      return Patterns::Double(0., infinity);
+    }
+
+    Patterns::Integer
+    positive_integer()
+    {
+      return Patterns::Integer(1);
+    }
+
+    Patterns::List
+    names_pattern()
+    {
+      return Patterns::List(Patterns::Anything(),
+                            0,
+                            std::numeric_limits<int>::max());
+    }
+  } // namespace
+
+
+
+  void
+  FiberParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("centerline",
+                      centerline,
+                      "The initial centerline x; y; z [length] as formulas of "
+                      "s in [0, length] and of the numbers i, j, k of the copy "
+                      "(from 0). Any regular parameter s will do; derivatives "
+                      "are taken numerically.",
+                      Patterns::Anything());
+    prm.add_parameter("mesh file",
+                      mesh_file,
+                      "A mesh of lines in space to read the centerlines from, "
+                      "in a format that deal.II's GridIn knows by its "
+                      "extension (msh, vtk, inp, ...). Each connected chain of "
+                      "lines becomes a fiber; 'centerline', 'length', 'cells' "
+                      "and 'copies' are then not used.",
+                      Patterns::Anything());
+    prm.add_parameter("copies",
+                      copies,
+                      "The size of an array of equal fibers, up to three "
+                      "numbers: '4, 5' makes 20 fibers with i = 0..3 and "
+                      "j = 0..4 in their centerlines.",
+                      Patterns::List(positive_integer(), 1, 3));
+    prm.add_parameter("length",
+                      length,
+                      "The end of the range of s [length], positive.",
+                      non_negative());
+    prm.add_parameter("radius",
+                      radius,
+                      "Radius of the circular section [length], positive.",
+                      non_negative());
+    prm.add_parameter("youngs modulus",
+                      youngs_modulus,
+                      "Young's modulus [force/length^2], positive.",
+                      non_negative());
+    prm.add_parameter("poisson ratio",
+                      poisson_ratio,
+                      "Poisson's ratio. A shear-rigid fiber without torsion "
+                      "does not depend on it.",
+                      Patterns::Double());
+    prm.add_parameter("cells",
+                      n_cells,
+                      "The number of equal cells along s.",
+                      positive_integer());
+    prm.add_parameter("number density",
+                      number_density,
+                      "Points of the interaction potential per volume "
+                      "[1/length^3].",
+                      non_negative());
+    beam = TorsionFreeKirchhoff::name;
+    prm.add_parameter("beam",
+                      beam,
+                      "The beam formulation. " + Beams::descriptions() + ".",
+                      Patterns::Selection(Beams::names()));
+  }
+
+
+
+  void
+  SupportParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("fibers",
+                      fibers,
+                      "The fibers that are supported, by name, or 'all'.",
+                      names_pattern());
+    prm.add_parameter("at",
+                      at,
+                      "Where: 'start', 'end', 'all' (every node) or an arc "
+                      "length s at which there is a node [length].",
+                      names_pattern());
+    prm.add_parameter("displacement",
+                      displacement,
+                      "The displacement of the points from where they were "
+                      "initially, x; y; z, each 'free' or a formula of the "
+                      "time t and of the numbers i, j, k of the copy [length].",
+                      Patterns::Anything());
+    prm.add_parameter("tangent",
+                      tangent,
+                      "The change of the unit tangents from what they were "
+                      "initially, x; y; z, each 'free' or a formula of t and "
+                      "of i, j, k.",
+                      Patterns::Anything());
+  }
+
+
+
+  void
+  LoadParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("fibers",
+                      fibers,
+                      "The fibers that are loaded, by name, or 'all'.",
+                      names_pattern());
+    prm.add_parameter("at",
+                      at,
+                      "Where: 'start', 'end' or an arc length s for a point "
+                      "load, 'all' for a line load.",
+                      names_pattern());
+    prm.add_parameter(
+      "force",
+      force,
+      "A dead load x; y; z as formulas of s and t: a force at a "
+      "point [force], or per initial length [force/length].",
+      Patterns::Anything());
+    prm.add_parameter("moment",
+                      moment,
+                      "A moment x; y; z about axes fixed in space, as formulas "
+                      "of s and t, at a point [force length] or per initial "
+                      "length [force]. Its part along the tangent does no work "
+                      "on a fiber without torsion.",
+                      Patterns::Anything());
+  }
+
+
+
+  void
+  InteractionParameters::add_parameters(ParameterHandler &prm)
+  {
+    law = DiskCylinder::name;
+    prm.add_parameter("law",
+                      law,
+                      "The reduced law. " + Laws::descriptions() + ".",
+                      Patterns::Selection(Laws::names()));
+    prm.add_parameter("source",
+                      source,
+                      "The fibers that are integrated over (the papers' slave "
+                      "side), by name, or 'all'. Two fibers that are both in "
+                      "source and target interact once, the one listed first "
+                      "being the source.",
+                      names_pattern());
+    prm.add_parameter("target",
+                      target,
+                      "The fibers that are projected onto (the papers' master "
+                      "side), by name, or 'all'.",
+                      names_pattern());
+    prm.add_parameter("two half passes",
+                      two_half_passes,
+                      "Let every pair interact twice at half strength, each "
+                      "fiber once being the source.");
+    prm.add_parameter("self interaction",
+                      self_interaction,
+                      "Let the cells of one fiber interact with each other, in "
+                      "two half passes.");
+    prm.add_parameter("excluded neighbors",
+                      n_excluded_neighbors,
+                      "In the self-interaction, how many cells on either side "
+                      "of a cell do not interact with it.",
+                      positive_integer());
+    prm.add_parameter("exponents",
+                      exponents,
+                      "The exponents m of the point potential sum k_m r^-m.",
+                      Patterns::List(positive_integer(), 1));
+    prm.add_parameter(
+      "prefactors",
+      prefactors,
+      "The prefactors k_m [energy length^m]; negative attracts.",
+      Patterns::List(Patterns::Double(), 0));
+    prm.add_parameter("equilibrium gap",
+                      equilibrium_gap,
+                      "Instead of prefactors, for Lennard-Jones: the gap at "
+                      "which two parallel cylinders feel no force [length].",
+                      non_negative());
+    prm.add_parameter("force minimum",
+                      force_minimum,
+                      "Instead of prefactors, for Lennard-Jones: the most "
+                      "attractive force per length of two parallel cylinders "
+                      "[force/length], negative.",
+                      Patterns::Double(-infinity, 0.));
+    prm.add_parameter("cutoff",
+                      cutoff,
+                      "The gap beyond which there is no interaction [length].",
+                      non_negative());
+    prm.add_parameter("switch width",
+                      switch_width,
+                      "The part of the cutoff over which the interaction is "
+                      "switched off smoothly.",
+                      Patterns::Double(0., 1.));
+    prm.add_parameter("regularization gap",
+                      regularization,
+                      "Below this gap the law goes on with a force linear in "
+                      "the gap (SBIP app. C). A state with a smaller gap is "
+                      "never accepted. 0 switches it off [length].",
+                      non_negative());
+    prm.add_parameter("skin",
+                      skin,
+                      "How far beyond the cutoff partners are searched, so "
+                      "that the search is repeated only when points have moved "
+                      "by half of it [length]; 0 takes half of the cutoff.",
+                      non_negative());
+    prm.add_parameter("integration segments",
+                      n_segments,
+                      "Equal parts of a cell, each with its own Gauss points.",
+                      positive_integer());
+    prm.add_parameter("gauss points",
+                      n_gauss_points,
+                      "Gauss points per integration segment.",
+                      positive_integer());
+  }
+
+
+
+  void
+  LoadSteppingParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("end time",
+                      end_time,
+                      "The load goes from time 0 to this one.",
+                      non_negative());
+    prm.add_parameter("first step",
+                      first_step,
+                      "The first load step [time].",
+                      non_negative());
+    prm.add_parameter("largest step",
+                      largest_step,
+                      "The largest load step [time], a formula of t: small "
+                      "where a peak of the curve has to be resolved.",
+                      Patterns::Anything());
+    prm.add_parameter("smallest step",
+                      smallest_step,
+                      "A step that cannot be solved is repeated with smaller "
+                      "size down to this one [time].",
+                      non_negative());
+    prm.add_parameter("growth",
+                      growth,
+                      "Largest factor from one step to the next.",
+                      Patterns::Double(1.));
+    prm.add_parameter("target iterations",
+                      target_n_iterations,
+                      "A step that takes more iterations than this one is "
+                      "followed by a smaller one.",
+                      positive_integer());
+    prm.add_parameter("pass instabilities",
+                      pass_instabilities,
+                      "Where no equilibrium is found with the smallest step, "
+                      "follow the overdamped motion to the next stable state "
+                      "instead of stopping.");
+  }
+
+
+
+  void
+  NewtonParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("residual tolerance",
+                      residual_tolerance,
+                      "Largest Euclidean norm of the residual.",
+                      non_negative());
+    prm.add_parameter("increment tolerance",
+                      increment_tolerance,
+                      "Largest Euclidean norm of the last increment.",
+                      non_negative());
+    prm.add_parameter("iterations",
+                      max_n_iterations,
+                      "Largest number of iterations of one load step.",
+                      positive_integer());
+    prm.add_parameter("largest increment",
+                      largest_increment,
+                      "Largest displacement of a node by one correction "
+                      "[length]; 0 means no bound.",
+                      non_negative());
+    prm.add_parameter("linear solver",
+                      linear_solver,
+                      "The direct solver of Trilinos' Amesos.",
+                      Patterns::Selection("Amesos_Klu|Amesos_Mumps"));
+    prm.add_parameter("log iterations",
+                      log_iterations,
+                      "Print a line for every iteration.");
+  }
+
+
+
+  void
+  OutputParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("directory",
+                      directory,
+                      "Where results are written; empty takes output/ and the "
+                      "name of the .prm file.",
+                      Patterns::Anything());
+    prm.add_parameter("fields",
+                      fields,
+                      "Write fibers and interaction forces for ParaView.");
+    prm.add_parameter("interval",
+                      interval,
+                      "Time between two outputs of fields; 0 writes every load "
+                      "step.",
+                      non_negative());
+    prm.add_parameter("subdivisions",
+                      n_subdivisions,
+                      "Lines that a cell is drawn with.",
+                      positive_integer());
+  }
+} // namespace Setae
