@@ -12,6 +12,7 @@
 #include <setae/solvers/relaxation.h>
 
 #include <cmath>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
@@ -35,6 +36,33 @@ namespace Setae
                           "interaction");
       return names;
     }
+
+
+
+    /**
+     * Write files from the first rank. If that fails, every rank throws: none is
+     * left waiting for the others.
+     */
+    template <typename Function>
+    void
+    on_first_rank(const MPI_Comm communicator, const Function &function)
+    {
+      std::exception_ptr problem;
+      if (Utilities::MPI::this_mpi_process(communicator) == 0)
+        try
+          {
+            function();
+          }
+        catch (...)
+          {
+            problem = std::current_exception();
+          }
+      const bool failed =
+        Utilities::MPI::max(problem ? 1 : 0, communicator) == 1;
+      if (problem)
+        std::rethrow_exception(problem);
+      AssertThrow(!failed, ExcRun("The first rank cannot write its files."));
+    }
   } // namespace
 
 
@@ -45,7 +73,9 @@ namespace Setae
     : scene(scene)
     , communicator(communicator)
     , pcout(out, Utilities::MPI::this_mpi_process(communicator) == 0)
-    , timer(communicator, pcout, TimerOutput::never, TimerOutput::wall_times)
+    // Without the communicator, which would make it print a notice on the way
+    // out of a run that failed.
+    , timer(pcout, TimerOutput::never, TimerOutput::wall_times)
     , fibers(this->scene, communicator)
     , supports(fibers)
     , system(fibers)
@@ -57,6 +87,9 @@ namespace Setae
   {
     setup_terms();
     check_initial_gaps();
+
+    // Its formula is not looked at again before the run.
+    LoadStepping(this->scene.load_stepping, this->scene.constants);
   }
 
 
@@ -457,29 +490,28 @@ namespace Setae
   void
   FiberProblem::prepare_directory() const
   {
-    if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      {
-        const std::filesystem::path directory(scene.output.directory);
-        std::error_code             error;
-        std::filesystem::create_directories(directory, error);
-        std::ofstream parameters(directory / "parameters.prm");
-        parameters << scene.used_parameters;
-        AssertThrow(parameters.good(),
-                    ExcParameter("output/directory",
-                                 scene.output.directory,
-                                 "a directory that can be written"));
+    on_first_rank(communicator, [this]() {
+      const std::filesystem::path directory(scene.output.directory);
+      std::error_code             error;
+      std::filesystem::create_directories(directory, error);
+      std::ofstream parameters(directory / "parameters.prm");
+      parameters << scene.used_parameters;
+      parameters.close();
+      AssertThrow(parameters.good(),
+                  ExcParameter("output/directory",
+                               scene.output.directory,
+                               "a directory that can be written"));
 
-        // What an earlier run left must not mix with this one.
-        for (const auto &entry : std::filesystem::directory_iterator(directory))
-          {
-            const std::string name      = entry.path().filename().string();
-            const std::string extension = entry.path().extension().string();
-            if (name == "statistics.txt" || extension == ".pvd" ||
-                extension == ".vtu" || extension == ".pvtu")
-              std::filesystem::remove(entry.path());
-          }
-      }
-    MPI_Barrier(communicator);
+      // What an earlier run left must not mix with this one.
+      for (const auto &entry : std::filesystem::directory_iterator(directory))
+        {
+          const std::string name      = entry.path().filename().string();
+          const std::string extension = entry.path().extension().string();
+          if (name == "statistics.txt" || extension == ".pvd" ||
+              extension == ".vtu" || extension == ".pvtu")
+            std::filesystem::remove(entry.path());
+        }
+    });
   }
 
 
@@ -489,8 +521,8 @@ namespace Setae
   {
     TimerOutput::Scope section(timer, "output");
     statistics.add(record);
-    if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      statistics.write(scene.output.directory);
+    on_first_rank(communicator,
+                  [this]() { statistics.write(scene.output.directory); });
 
     const bool is_last = record.time >= scene.load_stepping.end_time;
     const bool is_due =

@@ -118,6 +118,25 @@ namespace Setae
       return result;
     }
 
+    /** Where to find what may stand in a scene. */
+    const std::string hint =
+      "allowed is what 'setae --print-parameters' prints, with the sections of "
+      "fibers, supports, loads and interactions that their 'names' list.";
+
+    /** What @p exception says, without what deal.II adds. */
+    std::string
+    sentence(const ExceptionBase &exception)
+    {
+      std::ostringstream text;
+      exception.print_info(text);
+      std::string result = Utilities::trim(text.str());
+      while (!result.empty() && result.back() == '.')
+        result.pop_back();
+      return result;
+    }
+
+
+
     /** A parameter given on the command line. */
     struct Override
     {
@@ -161,17 +180,58 @@ namespace Setae
           }
         catch (const ParameterHandler::ExcEntryUndeclared &)
           {
-            std::string path;
-            for (const std::string &section : sections)
-              path += section + "/";
             AssertThrow(false,
-                        ExcInput("There is no parameter '" + path + name +
-                                 "' to set to '" + value + "'."));
+                        ExcInput("There is no parameter '" + path() +
+                                 "' to set to '" + value + "'; " + hint));
+          }
+        catch (const ParameterHandler::ExcValueDoesNotMatchPattern &exception)
+          {
+            const std::string text    = sentence(exception);
+            const std::size_t pattern = text.find('[');
+            AssertThrow(false,
+                        ExcParameter(path(),
+                                     value,
+                                     text.substr(pattern,
+                                                 text.rfind(']') + 1 -
+                                                   pattern)));
           }
         for (unsigned int i = 0; i < sections.size(); ++i)
           prm.leave_subsection();
       }
+
+      std::string
+      path() const
+      {
+        std::string result;
+        for (const std::string &section : sections)
+          result += section + "/";
+        return result + name;
+      }
     };
+
+
+
+    /** ParameterHandler's own messages name file, line, entry and pattern. */
+    void
+    parse(ParameterHandler  &prm,
+          const std::string &text,
+          const std::string &file_name,
+          const bool         skip_undefined = false)
+    {
+      std::istringstream stream(text);
+      try
+        {
+          prm.parse_input(stream, file_name, "", skip_undefined);
+        }
+      catch (const ParameterHandler::ExcInvalidEntryForPattern &)
+        {
+          throw;
+        }
+      catch (const ExceptionBase &exception)
+        {
+          AssertThrow(false, ExcInput(sentence(exception) + "; " + hint));
+        }
+    }
 
   } // namespace
 
@@ -206,8 +266,7 @@ namespace Setae
     {
       ParameterHandler prm;
       names.add_parameters(prm);
-      std::istringstream stream(overridden_text);
-      prm.parse_input(stream, file_name, "", true);
+      parse(prm, overridden_text, file_name, true);
       names.check_unique();
     }
 
@@ -219,8 +278,7 @@ namespace Setae
 
     ParameterHandler prm;
     add_parameters(prm, scene, names);
-    std::istringstream stream(text);
-    prm.parse_input(stream, file_name);
+    parse(prm, text, file_name);
     for (const Override &entry : overrides)
       entry.apply(prm);
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
 
 namespace Setae
 {
@@ -16,6 +17,18 @@ namespace Setae
 
   namespace
   {
+    template <typename Number>
+    std::string
+    list(const std::vector<Number> &numbers)
+    {
+      std::ostringstream text;
+      for (unsigned int i = 0; i < numbers.size(); ++i)
+        text << (i == 0 ? "" : ", ") << numbers[i];
+      return text.str();
+    }
+
+
+
     void
     check_reference(const std::string                  &parameter,
                     const std::vector<std::string>     &references,
@@ -69,7 +82,7 @@ namespace Setae
               "above -1 and at most 0.5");
       require(fiber.copies.size() <= 3,
               path + "copies",
-              fiber.copies.size(),
+              list(fiber.copies),
               "at most three numbers");
       if (!fiber.mesh_file.empty())
         {
@@ -79,7 +92,7 @@ namespace Setae
                   "a file that exists");
           require(fiber.copies == std::vector<unsigned int>{1},
                   path + "copies",
-                  fiber.copies[0],
+                  list(fiber.copies),
                   "1 if the centerlines come from a mesh file");
         }
     }
@@ -93,12 +106,13 @@ namespace Setae
         interaction.equilibrium_gap != 0. || interaction.force_minimum != 0.;
       require(has_prefactors != has_cylinder_data,
               path + "prefactors",
-              has_prefactors ? "and an equilibrium gap as well" : "",
-              "given, or else 'equilibrium gap' and 'force minimum'");
+              list(interaction.prefactors),
+              "a list of numbers, or else empty and 'equilibrium gap' and "
+              "'force minimum' given");
       if (has_prefactors)
         require(interaction.prefactors.size() == interaction.exponents.size(),
                 path + "prefactors",
-                interaction.prefactors.size(),
+                list(interaction.prefactors),
                 "as many as there are exponents, " +
                   std::to_string(interaction.exponents.size()));
       else
@@ -113,7 +127,7 @@ namespace Setae
                   "negative");
           require(interaction.exponents == std::vector<unsigned int>({6, 12}),
                   path + "exponents",
-                  interaction.exponents[0],
+                  list(interaction.exponents),
                   "6, 12 with an equilibrium gap");
         }
       Laws::dispatch(interaction.law, [&](auto tag) {

@@ -7,8 +7,6 @@
 // Energies on nested forward-mode numbers: value, gradient and Hessian in one
 // evaluation, independent of every derivative that the library writes by hand.
 
-#include <setae/base/local_system.h>
-
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/template_constraints.h>
 
@@ -17,6 +15,8 @@
 #include <deal.II/differentiation/ad/sacado_product_types.h>
 
 #include <Sacado.hpp>
+
+#include <setae/base/local_system.h>
 
 #include <array>
 

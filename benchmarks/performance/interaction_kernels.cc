@@ -7,15 +7,15 @@
 // least ten times faster than those of nested Sacado numbers, which the
 // benchmarks `speedup` measure side by side.
 
+#include <deal.II/base/quadrature_lib.h>
+
+#include <benchmark/benchmark.h>
+
 #include <setae/interactions/section_beam.h>
 #include <setae/interactions/section_section.h>
 #include <setae/laws/disk_cylinder.h>
 #include <setae/laws/disk_disk.h>
 #include <setae/laws/lennard_jones.h>
-
-#include <deal.II/base/quadrature_lib.h>
-
-#include <benchmark/benchmark.h>
 
 #include <ctime>
 #include <vector>
@@ -87,7 +87,7 @@ namespace
       sum_of_radii};
 
     void
-    by_hand(const CellPair & cells,
+    by_hand(const CellPair  &cells,
             const Request    request,
             LocalSystem<24> &local) const
     {
@@ -129,7 +129,7 @@ namespace
       sum_of_radii};
 
     void
-    by_hand(const CellPair & cells,
+    by_hand(const CellPair  &cells,
             const Request    request,
             LocalSystem<24> &local) const
     {

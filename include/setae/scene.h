@@ -102,7 +102,7 @@ namespace Setae
     std::string  largest_step        = "1";
     double       smallest_step       = 1e-4;
     double       growth              = 4.;
-    unsigned int target_n_iterations = 15;
+    unsigned int target_n_iterations = 20;
     bool         pass_instabilities  = true;
 
     void

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 
 namespace Setae
 {
@@ -31,6 +32,27 @@ namespace Setae
                Expression(parameter, parts[1], variables, constants),
                Expression(parameter, parts[2], variables, constants)}};
     }
+
+
+    /**
+     * FunctionParser prints five lines on std::cerr before it throws; what the
+     * exception becomes here says it all.
+     */
+    class SilentErrors
+    {
+    public:
+      SilentErrors()
+        : buffer(std::cerr.rdbuf(nullptr))
+      {}
+
+      ~SilentErrors()
+      {
+        std::cerr.rdbuf(buffer);
+      }
+
+    private:
+      std::streambuf *buffer;
+    };
   } // namespace
 
 
@@ -68,6 +90,7 @@ namespace Setae
     all.emplace("pi", numbers::PI);
     try
       {
+        const SilentErrors silence;
         parser->initialize(has_two ? variables : variables + ",unused_2",
                            text,
                            all);

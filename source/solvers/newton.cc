@@ -3,7 +3,9 @@
 
 #include <setae/solvers/newton.h>
 
-#include <cmath>
+#include <algorithm>
+#include <deque>
+#include <limits>
 
 namespace Setae
 {
@@ -23,6 +25,16 @@ namespace Setae
     // belongs to a load step that is too long: giving up soon is cheaper.
     constexpr unsigned int max_n_halvings = 3;
 
+    // In slender fibers, a good increment may well raise the residual once: what
+    // bends is stretched at first. So the decrease is measured against the
+    // largest of the last few norms (Grippo, Lampariello, Lucidi 1986). Where
+    // there is no equilibrium, the iterations wander about the smallest residual:
+    // it has to be halved within a few of them.
+    constexpr unsigned int memory = 3, patience = 6;
+    std::deque<double>     last_norms;
+    double       reference_norm      = std::numeric_limits<double>::infinity();
+    unsigned int reference_iteration = 0;
+
     SolverResult result;
     Vector       current(solution), increment(solution), trial(solution);
     Evaluation   state =
@@ -38,6 +50,11 @@ namespace Setae
             return result;
           }
 
+        const double largest_norm =
+          last_norms.empty() ?
+            std::numeric_limits<double>::infinity() :
+            *std::max_element(last_norms.begin(), last_norms.end());
+
         double factor = 1.;
         if (!is_predictor && parameters.largest_increment > 0.)
           factor = std::min(1.,
@@ -51,8 +68,7 @@ namespace Setae
             trial.add(factor, increment);
             next = system.evaluate(trial, time, SupportIncrement::at_rest);
             const bool decreases =
-              next.residual_norm <=
-                (1. - 1e-4 * factor) * state.residual_norm ||
+              next.residual_norm <= (1. - 1e-4 * factor) * largest_norm ||
               next.residual_norm < parameters.residual_tolerance;
             if (next.is_valid && (is_predictor || decreases))
               break;
@@ -66,6 +82,17 @@ namespace Setae
           }
         current = trial;
         state   = next;
+        last_norms.push_back(state.residual_norm);
+        if (last_norms.size() > memory)
+          last_norms.pop_front();
+        if (state.residual_norm <= .5 * reference_norm)
+          {
+            reference_norm      = state.residual_norm;
+            reference_iteration = result.n_iterations;
+          }
+        const bool is_stalled =
+          result.n_iterations - reference_iteration >= patience &&
+          state.residual_norm > parameters.residual_tolerance;
 
         const double increment_norm = factor * increment.l2_norm();
         log({result.n_iterations,
@@ -81,6 +108,11 @@ namespace Setae
             result.reason     = state.reason;
             if (result.converged)
               solution = current;
+            return result;
+          }
+        if (is_stalled)
+          {
+            result.reason = "the residual does not decrease";
             return result;
           }
       }

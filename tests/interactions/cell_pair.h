@@ -7,13 +7,16 @@
 // Pairs of cells for the tests of the interactions, and what every interaction
 // has to fulfill.
 
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <deal.II/physics/transformations.h>
+
+#include <gtest/gtest.h>
+
 #include <setae/base/local_system.h>
 #include <setae/interactions/line_sites.h>
 #include <setae/kinematics/closest_point.h>
-
-#include <deal.II/base/tensor.h>
-
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
@@ -103,6 +106,15 @@ namespace Setae
 
 
   inline Tensor<1, 3>
+  random_direction(std::mt19937 &random)
+  {
+    const Tensor<1, 3> v = random_vector(random);
+    return v / v.norm();
+  }
+
+
+
+  inline Tensor<1, 3>
   random_normal_to(const Tensor<1, 3> &v, std::mt19937 &random)
   {
     const Tensor<1, 3> e = cross_product_3d(v, random_vector(random));
@@ -119,7 +131,7 @@ namespace Setae
   random_cell(const Tensor<1, 3> &direction,
               const double        h,
               const double        bend,
-              std::mt19937 &      random)
+              std::mt19937       &random)
   {
     const Tensor<1, 3> begin = .3 * random_vector(random);
     const Tensor<1, 3> t1    = direction + bend * random_vector(random) / 2.;
@@ -153,51 +165,186 @@ namespace Setae
   }
 
   inline double
-  largest(const LocalSystem<24> &system)
+  largest(const std::array<std::array<double, 24>, 24> &matrix)
   {
     double result = 0.;
-    for (const auto &row : system.tangent)
+    for (const auto &row : matrix)
       result = std::max(result, largest(row));
     return result;
   }
 
 
 
-  /** The largest deviations relative to the largest entries. */
-  struct Deviation
+  /**
+   * Equal to @p tolerance times the largest entries of @p expected, or to what
+   * a perturbation of the coordinates by their rounding error does, which is
+   * more where the forces vanish at an equilibrium.
+   */
+  inline void
+  expect_equal(const LocalSystem<24> &actual,
+               const LocalSystem<24> &expected,
+               const double           tolerance)
   {
-    double energy, residual, tangent;
-  };
+    constexpr double rounding_error = 1e-14; // of coordinates of order one
 
-  inline Deviation
-  deviation(const LocalSystem<24> &a, const LocalSystem<24> &b)
-  {
-    Deviation result = {std::abs(a.energy - b.energy) / std::abs(b.energy),
-                        0.,
-                        0.};
+    std::array<double, 24>                 residual;
+    std::array<std::array<double, 24>, 24> tangent;
     for (unsigned int i = 0; i < 24; ++i)
       {
-        result.residual = std::max(result.residual,
-                                   std::abs(a.residual[i] - b.residual[i]) /
-                                     largest(b.residual));
+        residual[i] = actual.residual[i] - expected.residual[i];
         for (unsigned int j = 0; j < 24; ++j)
-          result.tangent = std::max(result.tangent,
-                                    std::abs(a.tangent[i][j] -
-                                             b.tangent[i][j]) /
-                                      largest(b));
+          tangent[i][j] = actual.tangent[i][j] - expected.tangent[i][j];
       }
+    EXPECT_NEAR(actual.energy,
+                expected.energy,
+                tolerance * std::abs(expected.energy) +
+                  rounding_error * largest(expected.residual));
+    EXPECT_LE(largest(residual),
+              tolerance * largest(expected.residual) +
+                rounding_error * largest(expected.tangent));
+    EXPECT_LE(largest(tangent), tolerance * largest(expected.tangent));
+  }
+
+  /** Nothing at all, not even a rounding error. */
+  inline void
+  expect_zero(const LocalSystem<24> &local)
+  {
+    EXPECT_EQ(local.energy, 0.);
+    EXPECT_EQ(largest(local.residual), 0.);
+    EXPECT_EQ(largest(local.tangent), 0.);
+  }
+
+
+
+  /**
+   * The energy does not change in a translation, which adds the same to all
+   * positions, and in a rotation, in which positions and tangents turn: the
+   * residual has no component along either, up to round-off.
+   */
+  inline void
+  expect_balance_of_momentum(const CellPair        &cells,
+                             const LocalSystem<24> &local,
+                             const double           tolerance)
+  {
+    const Coefficients q = cells.coefficients();
+    Tensor<1, 3>       force, moment;
+    double             all_forces = 0., all_moments = 0.;
+    for (unsigned int a = 0; a < 8; ++a)
+      {
+        Tensor<1, 3> q_a, f_a;
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            q_a[c] = q[3 * a + c];
+            f_a[c] = local.residual[3 * a + c];
+          }
+        moment += cross_product_3d(q_a, f_a);
+        all_moments += q_a.norm() * f_a.norm();
+        if (a % 2 == 0)
+          {
+            force += f_a;
+            all_forces += f_a.norm();
+          }
+      }
+    EXPECT_GT(all_forces, 0.);
+    EXPECT_LE(force.norm(), tolerance * all_forces);
+    EXPECT_LE(moment.norm(), tolerance * all_moments);
+  }
+
+
+
+  /** The cells after a rotation and a translation. */
+  inline CellPair
+  moved(const CellPair     &cells,
+        const Tensor<2, 3> &rotation,
+        const Tensor<1, 3> &translation)
+  {
+    CellPair result = cells;
+    for (HermiteCell<> *cell : {&result.source, &result.target})
+      for (unsigned int a = 0; a < 4; ++a)
+        cell->coefficients[a] = rotation * cell->coefficients[a] +
+                                (a % 2 == 0 ? translation : Tensor<1, 3>());
     return result;
   }
 
-  inline void
-  expect_equal(const LocalSystem<24> &a,
-               const LocalSystem<24> &b,
-               const double           tolerance)
+  /** Residual and tangent matrix in the rotated frame. */
+  inline LocalSystem<24>
+  rotated(const LocalSystem<24> &local, const Tensor<2, 3> &rotation)
   {
-    const Deviation difference = deviation(a, b);
-    EXPECT_LT(difference.energy, tolerance);
-    EXPECT_LT(difference.residual, tolerance);
-    EXPECT_LT(difference.tangent, tolerance);
+    LocalSystem<24> result;
+    result.energy = local.energy;
+    for (unsigned int a = 0; a < 8; ++a)
+      for (unsigned int c = 0; c < 3; ++c)
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            result.residual[3 * a + c] +=
+              rotation[c][d] * local.residual[3 * a + d];
+            for (unsigned int b = 0; b < 8; ++b)
+              for (unsigned int e = 0; e < 3; ++e)
+                for (unsigned int f = 0; f < 3; ++f)
+                  result.tangent[3 * a + c][3 * b + e] +=
+                    rotation[c][d] * local.tangent[3 * a + d][3 * b + f] *
+                    rotation[e][f];
+          }
+    return result;
+  }
+
+  /**
+   * @p evaluate, from a CellPair to its LocalSystem, gives the same after a
+   * rigid motion.
+   */
+  template <typename Evaluate>
+  void
+  expect_objective(const Evaluate &evaluate,
+                   const CellPair &cells,
+                   const double    tolerance)
+  {
+    const Tensor<2, 3> rotation =
+      dealii::Physics::Transformations::Rotations::rotation_matrix_3d(
+        dealii::Point<3>(2. / 7., 3. / 7., 6. / 7.), 2.5);
+    const Tensor<1, 3> translation({-1., .5, 2.});
+    expect_equal(evaluate(moved(cells, rotation, translation)),
+                 rotated(evaluate(cells), rotation),
+                 tolerance);
+  }
+
+
+
+  /**
+   * Residual and tangent matrix of @p evaluate are the central differences
+   * (fourth order, @p step) of energy and residual.
+   */
+  template <typename Evaluate>
+  void
+  expect_finite_differences(const Evaluate &evaluate,
+                            const CellPair &cells,
+                            const double    step,
+                            const double    tolerance)
+  {
+    LocalSystem<24> differences = evaluate(cells);
+    for (unsigned int j = 0; j < 24; ++j)
+      {
+        const auto at = [&](const double distance) {
+          Coefficients q = cells.coefficients();
+          q[j] += distance;
+          return evaluate(cells.with(q));
+        };
+        const auto central = [&](const double plus_1,
+                                 const double minus_1,
+                                 const double plus_2,
+                                 const double minus_2) {
+          return (8. * (plus_1 - minus_1) - (plus_2 - minus_2)) / (12. * step);
+        };
+        const LocalSystem<24> plus_1 = at(step), minus_1 = at(-step),
+                              plus_2 = at(2. * step), minus_2 = at(-2. * step);
+        differences.residual[j] =
+          central(plus_1.energy, minus_1.energy, plus_2.energy, minus_2.energy);
+        for (unsigned int i = 0; i < 24; ++i)
+          differences.tangent[i][j] = central(plus_1.residual[i],
+                                              minus_1.residual[i],
+                                              plus_2.residual[i],
+                                              minus_2.residual[i]);
+      }
+    expect_equal(evaluate(cells), differences, tolerance);
   }
 } // namespace Setae
 

@@ -1,6 +1,22 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 The Setae authors
+
+// Residual and tangent matrix of one site and a target cell, in which the
+// closest point moves, against automatic and numerical derivatives, and the
+// balance laws that follow from the invariance of the energy.
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <gtest/gtest.h>
+
 #include <setae/interactions/section_beam.h>
 #include <setae/laws/disk_cylinder.h>
 #include <setae/laws/lennard_jones.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
 
 #include "../nested_sacado.h"
 #include "cell_pair.h"
@@ -9,44 +25,505 @@ using namespace Setae;
 
 namespace
 {
-  constexpr SectionPair sections = {.02, .03, 1., 1.};
-  constexpr double sum_of_radii = .05;
-  DiskCylinder law(const GapRange &range)
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr double weight   = 1.7;
+
+  /**
+   * A law in which gap and angle are equally important at distances of order
+   * one, so that no part of the tangent matrix is small beside another.
+   */
+  struct BalancedLaw
   {
-    return DiskCylinder(lennard_jones_of_cylinders(1e-3, -1., sections), sections, range);
+    double
+    cutoff() const
+    {
+      return infinity;
+    }
+
+    bool
+    admits(const double) const
+    {
+      return true;
+    }
+
+    GapAngleDerivatives
+    operator()(const double g, const double c) const
+    {
+      const double A = 2. + c + c * c, A_c = 1. + 2. * c, A_cc = 2.;
+      const double B = 1. + g - g * g, B_g = 1. - 2. * g, B_gg = -2.;
+      return {A * B, A * B_g, A_c * B, A * B_gg, A_c * B_g, A_cc * B};
+    }
+
+    template <typename Number>
+    Number
+    energy(const Number &g, const Number &c) const
+    {
+      return (2. + c + c * c) * (1. + g - g * g);
+    }
+  };
+
+  using Balanced     = SectionBeam<BalancedLaw>;
+  using LennardJones = SectionBeam<DiskCylinder>;
+
+  constexpr double gap_equilibrium = 1e-3;
+
+  LennardJones
+  lennard_jones(const GapRange    &range,
+                const SectionPair &sections = {.02, .03, 1., 1.})
+  {
+    return {
+      DiskCylinder(lennard_jones_of_cylinders(gap_equilibrium, -1., sections),
+                   sections,
+                   range),
+      sections.radius_1 + sections.radius_2};
   }
-  LocalSystem<24> by_hand(const SectionBeam<DiskCylinder> &interaction, const CellPair &cells, double x, const FiberEnds &ends)
+
+  /** A source site and its target. */
+  struct Configuration
+  {
+    CellPair  cells;
+    double    x    = .3;
+    FiberEnds ends = {};
+  };
+
+  template <typename Interaction>
+  LocalSystem<24>
+  by_hand(const Interaction &interaction, const Configuration &c)
   {
     LocalSystem<24> local;
-    interaction.add(site_at(cells.source, x), cells.target, ends, 1.7, Request::tangent, local);
+    interaction.add(site_at(c.cells.source, c.x),
+                    c.cells.target,
+                    c.ends,
+                    weight,
+                    Request::tangent,
+                    local);
     local.symmetrize();
     return local;
   }
-  LocalSystem<24> by_sacado(const SectionBeam<DiskCylinder> &interaction, const CellPair &cells, double x, const FiberEnds &ends)
+
+  template <typename Interaction>
+  LocalSystem<24>
+  by_sacado(const Interaction &interaction, const Configuration &c)
   {
-    const auto q = variables<24>(cells.coefficients());
-    const auto source = cell_of(q, 0, cells.source.h), target = cell_of(q, 12, cells.target.h);
-    NestedFad<24> energy(0.);
-    for (const Projection &projection : closest_points(cells.target, cells.source.position(x), ends))
-      energy += NestedFad<24>(1.7 * interaction.energy(source.position(x), source.derivative(x), target, projection));
+    const auto    q      = variables<24>(c.cells.coefficients());
+    const auto    source = cell_of(q, 0, c.cells.source.h);
+    const auto    target = cell_of(q, 12, c.cells.target.h);
+    NestedFad<24> energy = 0.;
+    for (const Projection &projection :
+         closest_points(c.cells.target, c.cells.source.position(c.x), c.ends))
+      energy += weight * interaction.energy(source.position(c.x),
+                                            source.derivative(c.x),
+                                            target,
+                                            projection);
     return local_system<24>(energy);
   }
+
+  /**
+   * A random pair of cells such that the point at @p xi of the target is a
+   * closest one to the site and @p distance from it. The ratio of the distance
+   * to the radius of curvature of the target in that direction lies between the
+   * bounds; above zero the site is on the inner side.
+   */
+  Configuration
+  random_configuration(std::mt19937 &random,
+                       const double  bend,
+                       const double  xi,
+                       const double  distance,
+                       const double  smallest_ratio = -infinity,
+                       const double  largest_ratio  = .5)
+  {
+    for (unsigned int i = 0; i < 100000; ++i)
+      {
+        Configuration  result;
+        HermiteCell<> &source = result.cells.source,
+                      &target = result.cells.target;
+        source = random_cell(random_direction(random), .4, bend, random);
+        target = random_cell(1.2 * random_direction(random), .5, bend, random);
+
+        const Tensor<1, 3> tangent = target.derivative(xi);
+        const Tensor<1, 3> d = distance * random_normal_to(tangent, random);
+        const double       ratio =
+          d * target.second_derivative(xi) / tangent.norm_square();
+        move_to(source, result.x, target.position(xi) + d);
+        if (ratio > smallest_ratio && ratio < largest_ratio &&
+            closest_points(target, source.position(result.x), {}).size() == 1)
+          return result;
+      }
+    ADD_FAILURE() << "no such configuration";
+    return {};
+  }
+
+  /** @p source with the given direction of the centerline at @p x. */
+  void
+  turn(HermiteCell<> &source, const double x, const Tensor<1, 3> &direction)
+  {
+    const Tensor<1, 3> point  = source.position(x);
+    const Tensor<1, 3> change = direction - source.derivative(x) / source.h;
+    source.coefficients[1] += change;
+    source.coefficients[2] += source.h * change;
+    source.coefficients[3] += change;
+    move_to(source, x, point);
+  }
+
+  /**
+   * All derivatives and all balance laws. @p amplification is the factor by
+   * which the configuration amplifies rounding errors of the coordinates.
+   */
+  template <typename Interaction>
+  void
+  expect_consistent(const Interaction   &interaction,
+                    const Configuration &c,
+                    const double         amplification = 1.)
+  {
+    const LocalSystem<24> local     = by_hand(interaction, c);
+    const double          tolerance = 1e-13 * amplification;
+    ASSERT_NE(local.energy, 0.);
+    expect_equal(local, by_sacado(interaction, c), tolerance);
+    expect_balance_of_momentum(c.cells, local, tolerance);
+    expect_objective(
+      [&](const CellPair &cells) {
+        return by_hand(interaction, {cells, c.x, c.ends});
+      },
+      c.cells,
+      50. * tolerance);
+  }
+} // namespace
+
+
+
+TEST(SectionBeam, HasTheDerivativesOfTheEnergy)
+{
+  std::mt19937   random(1);
+  const Balanced interaction(BalancedLaw(), .1);
+  for (unsigned int i = 0; i < 200; ++i)
+    expect_consistent(interaction,
+                      random_configuration(random, .3, .1 + .004 * i, .4));
 }
 
-TEST(SectionBeam, X)
+
+
+// The site is almost in the center of curvature of the target: a small motion
+// of the site is a large one of the closest point.
+TEST(SectionBeam, HasThemOnAStronglyCurvedTarget)
 {
-  std::mt19937 random(1);
-  SectionBeam<DiskCylinder> interaction(law({}), sum_of_radii);
-  for (unsigned int i=0;i<50;++i)
-  {
-    HermiteCell<> target = random_cell(random_vector(random), .5, .5, random);
-    const double xi = .7, x = .2;
-    HermiteCell<> source = random_cell(random_vector(random), .3, .5, random);
-    const double gap = 2e-3;
-    move_to(source, x, target.position(xi) + (gap+sum_of_radii)*random_normal_to(target.derivative(xi),random));
-    const CellPair cells{source,target};
-    auto a=by_hand(interaction,cells,x,{}), b=by_sacado(interaction,cells,x,{});
-    auto d = deviation(a,b);
-    std::cout << closest_points(target,source.position(x),{}).size() << " " << b.energy << " " << d.energy << ' ' << d.residual << ' ' << d.tangent << std::endl;
-  }
+  std::mt19937   random(2);
+  const Balanced interaction(BalancedLaw(), .1);
+  for (unsigned int i = 0; i < 50; ++i)
+    {
+      expect_consistent(interaction,
+                        random_configuration(random, 1., .6, .3, .5, .8),
+                        30.);
+      expect_consistent(interaction,
+                        random_configuration(random, 1., .6, .3, .9, .95),
+                        1e4);
+      expect_consistent(interaction,
+                        random_configuration(random, 1., .6, .3, -5., -.8));
+    }
+}
+
+
+
+TEST(SectionBeam, HasThemForParallelPerpendicularAndTiltedSources)
+{
+  std::mt19937   random(3);
+  const Balanced interaction(BalancedLaw(), .1);
+  for (unsigned int i = 0; i < 50; ++i)
+    {
+      Configuration      c      = random_configuration(random, .3, .4, .4);
+      HermiteCell<>     &source = c.cells.source, &target = c.cells.target;
+      const Tensor<1, 3> tangent  = target.derivative(.4);
+      const Tensor<1, 3> normal   = source.position(c.x) - target.position(.4);
+      const Tensor<1, 3> binormal = cross_product_3d(tangent, normal);
+      for (const Tensor<1, 3> &direction :
+           {tangent, Tensor<1, 3>(-2. * tangent), binormal, normal})
+        {
+          turn(source, c.x, direction / direction.norm());
+          expect_consistent(interaction, c, 3.);
+        }
+    }
+}
+
+
+
+TEST(SectionBeam, HasThemAtTheEndOfAFiber)
+{
+  std::mt19937   random(4);
+  const Balanced interaction(BalancedLaw(), .1);
+  for (unsigned int i = 0; i < 50; ++i)
+    for (const double end : {0., 1.})
+      {
+        Configuration      c = random_configuration(random, .1, end, .4, -.5);
+        const Tensor<1, 3> beyond = (2. * end - 1.) * .3 *
+                                    c.cells.target.derivative(end) /
+                                    c.cells.target.derivative(end).norm();
+        move_to(c.cells.source, c.x, c.cells.source.position(c.x) + beyond);
+
+        EXPECT_EQ(by_hand(interaction, c).energy, 0.);
+        c.ends = {end == 0., end == 1.};
+        expect_consistent(interaction, c);
+      }
+}
+
+
+
+// Two projections on one cell, which add up.
+TEST(SectionBeam, HasThemBetweenTheLegsOfAHairpin)
+{
+  std::mt19937        random(5);
+  const Balanced      interaction(BalancedLaw(), .1);
+  const Tensor<1, 3>  e({1., 0., 0.}), f({0., 1., 0.});
+  const HermiteCell<> hairpin = {{{Tensor<1, 3>(), 6. * e, f, -6. * e}}, 1.};
+  for (unsigned int i = 0; i < 20; ++i)
+    {
+      Configuration c;
+      c.cells = {random_cell(random_direction(random), .4, .3, random),
+                 hairpin};
+      const Tensor<1, 3> point = .5 * e + .5 * f + .05 * random_vector(random);
+      move_to(c.cells.source, c.x, point);
+      ASSERT_EQ(closest_points(hairpin, point, {}).size(), 2u);
+      expect_consistent(interaction, c);
+    }
+}
+
+
+
+TEST(SectionBeam, HasThemWithLennardJonesOverManyGaps)
+{
+  std::mt19937 random(6);
+  for (const SectionPair &sections : {SectionPair{.02, .03, 1., 1.},
+                                      SectionPair{1e-4, .1, 2., .5},
+                                      SectionPair{.1, 1e-4, 1., 3.}})
+    for (const double gap : {1e-9, 1e-6, 1e-4, 1e-3, 1e-2, .1})
+      for (unsigned int i = 0; i < 10; ++i)
+        {
+          // A gap amplifies rounding errors of coordinates by their ratio.
+          const LennardJones interaction = lennard_jones({}, sections);
+          expect_consistent(interaction,
+                            random_configuration(random,
+                                                 .3,
+                                                 .6,
+                                                 sections.radius_1 +
+                                                   sections.radius_2 + gap),
+                            3. + .03 / gap);
+        }
+}
+
+
+
+TEST(SectionBeam, HasThemWhereTheLawIsRegularizedOrSwitchedOff)
+{
+  std::mt19937       random(7);
+  const LennardJones interaction = lennard_jones({1e-3, .05, .1});
+  for (const double gap : {1e-3, 5e-4, 0., -.01, -.04, .051, .075, .099})
+    for (unsigned int i = 0; i < 20; ++i)
+      expect_consistent(interaction,
+                        random_configuration(random, .3, .3, .05 + gap),
+                        gap > .09 ? 100. : 20.);
+}
+
+
+
+TEST(SectionBeam, AgreesWithFiniteDifferences)
+{
+  std::mt19937   random(8);
+  const Balanced balanced(BalancedLaw(), .1);
+  for (unsigned int i = 0; i < 10; ++i)
+    {
+      const auto difference = [&](const auto          &interaction,
+                                  const Configuration &c,
+                                  const double         step) {
+        expect_finite_differences(
+          [&](const CellPair &cells) {
+            return by_hand(interaction, {cells, c.x, c.ends});
+          },
+          c.cells,
+          step,
+          1e-8);
+      };
+      difference(balanced, random_configuration(random, .3, .3, .3), 1e-3);
+      difference(balanced,
+                 random_configuration(random, 1., .5, .3, .3, .7),
+                 1e-4);
+      difference(lennard_jones({}),
+                 random_configuration(random, .3, .3, .05 + 2e-3),
+                 1e-5);
+    }
+}
+
+
+
+TEST(SectionBeam, IsTheSameWithStraightParallelFibersSwapped)
+{
+  const SectionPair forward = {.02, .05, 2., .5}, backward = {.05, .02, .5, 2.};
+  const Tensor<1, 3>  e({1., 0., 0.}), f({0., .071, .003});
+  const HermiteCell<> a = {{{Tensor<1, 3>(), e, .3 * e, e}}, .3},
+                      b = {{{f, e, .3 * e + f, e}}, .3};
+
+  const auto integral = [](const LennardJones  &interaction,
+                           const HermiteCell<> &source,
+                           const HermiteCell<> &target) {
+    std::vector<LineSite> sites;
+    evaluate_sites(dealii::QGauss<1>(7), source, source, sites);
+    LocalSystem<24> local;
+    for (const LineSite &site : sites)
+      interaction.add(
+        site, target, {true, true}, site.weight, Request::residual, local);
+    return local;
+  };
+  const auto ab = integral(lennard_jones({}, forward), a, b);
+  const auto ba = integral(lennard_jones({}, backward), b, a);
+
+  EXPECT_NEAR(ab.energy, ba.energy, 1e-12 * std::abs(ab.energy));
+  for (unsigned int i = 0; i < 24; ++i)
+    EXPECT_NEAR(ab.residual[i],
+                ba.residual[(i + 12) % 24],
+                1e-11 * largest(ab.residual));
+}
+
+
+
+TEST(SectionBeam, EvaluatesNoMoreThanIsRequested)
+{
+  std::mt19937          random(9);
+  const Balanced        interaction(BalancedLaw(), .1);
+  const Configuration   c    = random_configuration(random, .3, .4, .3);
+  const LocalSystem<24> full = by_hand(interaction, c);
+  const LineSite        site = site_at(c.cells.source, c.x);
+
+  LocalSystem<24> energy, residual;
+  const double    gap =
+    interaction.add(site, c.cells.target, {}, weight, Request::energy, energy);
+  EXPECT_NEAR(gap, .2, 1e-15);
+  EXPECT_EQ(energy.energy, full.energy);
+  EXPECT_EQ(largest(energy.residual), 0.);
+  EXPECT_EQ(largest(energy.tangent), 0.);
+
+  interaction.add(
+    site, c.cells.target, {}, weight, Request::residual, residual);
+  EXPECT_EQ(residual.energy, full.energy);
+  EXPECT_EQ(residual.residual, full.residual);
+  EXPECT_EQ(largest(residual.tangent), 0.);
+}
+
+
+
+TEST(SectionBeam, AddsToWhatIsThere)
+{
+  std::mt19937        random(10);
+  const Balanced      interaction(BalancedLaw(), .1);
+  const Configuration c    = random_configuration(random, .3, .4, .3);
+  const LineSite      site = site_at(c.cells.source, c.x);
+
+  LocalSystem<24> once, twice;
+  for (LocalSystem<24> *local : {&once, &twice, &twice})
+    interaction.add(site, c.cells.target, {}, weight, Request::tangent, *local);
+  EXPECT_DOUBLE_EQ(twice.energy, 2. * once.energy);
+  for (unsigned int i = 0; i < 24; ++i)
+    {
+      EXPECT_DOUBLE_EQ(twice.residual[i], 2. * once.residual[i]);
+      for (unsigned int j = 0; j < 24; ++j)
+        EXPECT_DOUBLE_EQ(twice.tangent[i][j], 2. * once.tangent[i][j]);
+    }
+}
+
+
+
+TEST(SectionBeam, IsZeroBeyondTheCutoff)
+{
+  std::mt19937       random(11);
+  const LennardJones interaction = lennard_jones({0., .05, .1});
+  EXPECT_DOUBLE_EQ(interaction.reach(), .15);
+  for (const double distance : {.1501, .2, .5})
+    {
+      const Configuration c = random_configuration(random, .1, .4, distance);
+      LocalSystem<24>     local;
+      EXPECT_EQ(interaction.add(site_at(c.cells.source, c.x),
+                                c.cells.target,
+                                c.ends,
+                                weight,
+                                Request::tangent,
+                                local),
+                infinity);
+      expect_zero(local);
+    }
+}
+
+
+
+TEST(SectionBeam, ReportsOverlapThatTheLawDoesNotAdmit)
+{
+  std::mt19937       random(12);
+  const LennardJones interaction = lennard_jones({0., .05, .1});
+  for (const double gap : {-1e-9, -.01, -.049})
+    {
+      const Configuration c = random_configuration(random, .1, .4, .05 + gap);
+      LocalSystem<24>     local;
+      EXPECT_NEAR(interaction.add(site_at(c.cells.source, c.x),
+                                  c.cells.target,
+                                  c.ends,
+                                  weight,
+                                  Request::tangent,
+                                  local),
+                  gap,
+                  1e-15);
+      expect_zero(local);
+    }
+}
+
+
+
+// The center of a circle has no unique closest point. On a cubic arc of 0.01 it
+// has one, which moves by a large but finite amount; on one of 0.0001 none is
+// preferred, and it counts as fixed.
+TEST(SectionBeam, SurvivesTheCenterOfCurvature)
+{
+  std::mt19937   random(13);
+  const Balanced interaction(BalancedLaw(), .1);
+  for (const double angle : {.01, .0001})
+    {
+      const double  cosine = std::cos(angle), sine = std::sin(angle);
+      Configuration c;
+      c.cells.target = {{{Tensor<1, 3>({1., 0., 0.}),
+                          Tensor<1, 3>({0., 1., 0.}),
+                          Tensor<1, 3>({cosine, sine, 0.}),
+                          Tensor<1, 3>({-sine, cosine, 0.})}},
+                        angle};
+      c.cells.source = random_cell(random_direction(random), .4, .3, random);
+      move_to(c.cells.source, c.x, Tensor<1, 3>());
+      c.ends = {true, true};
+
+      const LocalSystem<24> local = by_hand(interaction, c);
+      EXPECT_NE(local.energy, 0.);
+      EXPECT_TRUE(std::isfinite(largest(local.residual)));
+      EXPECT_TRUE(std::isfinite(largest(local.tangent)));
+      expect_balance_of_momentum(c.cells, local, 1e-13);
+      if (angle < .001)
+        {
+          EXPECT_LT(largest(local.residual), 100. / angle);
+          EXPECT_LT(largest(local.tangent), 100. / (angle * angle));
+        }
+    }
+}
+
+
+
+TEST(SectionBeam, ReportsTheForceForOutput)
+{
+  std::mt19937        random(14);
+  const LennardJones  interaction = lennard_jones({0., .05, .1});
+  const Configuration c = random_configuration(random, .1, .4, .05 + 2e-3);
+
+  std::vector<SiteForce> forces;
+  interaction.forces(
+    site_at(c.cells.source, c.x), c.cells.target, c.ends, .5, forces);
+  ASSERT_EQ(forces.size(), 2u);
+  EXPECT_LT((forces[0].force + forces[1].force).norm(), 1e-14);
+  EXPECT_NEAR(forces[0].gap, 2e-3, 1e-15);
+  EXPECT_LT((forces[0].position - c.cells.source.position(c.x)).norm(), 1e-15);
+  EXPECT_LT((forces[1].position - c.cells.target.position(.4)).norm(), 1e-12);
+
+  // Attractive beyond the equilibrium gap, and the sum of the nodal forces but
+  // for the part that comes from the angle, which is a couple.
+  const Tensor<1, 3> d = forces[1].position - forces[0].position;
+  EXPECT_NEAR(forces[0].force * d, forces[0].force.norm() * d.norm(), 1e-13);
 }

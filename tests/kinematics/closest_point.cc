@@ -4,6 +4,7 @@
 // Every local minimum of the distance is found, once, in exactly one cell.
 
 #include <gtest/gtest.h>
+
 #include <setae/kinematics/closest_point.h>
 
 #include <algorithm>
@@ -46,7 +47,7 @@ namespace
 
   double
   distance_square(const HermiteCell<> &cell,
-                  const Tensor<1, 3> & point,
+                  const Tensor<1, 3>  &point,
                   const double         x)
   {
     return (cell.position(x) - point).norm_square();
@@ -54,7 +55,7 @@ namespace
 
   double
   golden_section(const HermiteCell<> &cell,
-                 const Tensor<1, 3> & point,
+                 const Tensor<1, 3>  &point,
                  double               a,
                  double               b)
   {
@@ -76,8 +77,8 @@ namespace
    */
   std::vector<double>
   sampled_minima(const HermiteCell<> &cell,
-                 const Tensor<1, 3> & point,
-                 const FiberEnds &    ends)
+                 const Tensor<1, 3>  &point,
+                 const FiberEnds     &ends)
   {
     constexpr int       n  = 4000;
     constexpr double    dx = 1. / n;
@@ -155,7 +156,7 @@ namespace
   /** The projections on all cells of a fiber without ends. */
   std::vector<Found>
   closest_points_of_fiber(const std::vector<HermiteCell<>> &cells,
-                          const Tensor<1, 3> &              point)
+                          const Tensor<1, 3>               &point)
   {
     std::vector<Found> result;
     for (unsigned int c = 0; c < cells.size(); ++c)
@@ -213,8 +214,8 @@ TEST(ClosestPoint, IsPerpendicularToRoundOff)
           EXPECT_GT(p_x, 0.);
           // The position of the minimum, or else the round-off of its slope.
           EXPECT_LT(std::abs(d * r_x),
-                    1e-15 * p_x + 1e-15 * (1. + cell.h) * (3. + d.norm()) *
-                                    (1. + cell.h));
+                    1e-15 * p_x +
+                      1e-15 * (1. + cell.h) * (3. + d.norm()) * (1. + cell.h));
         }
     }
 }
@@ -287,12 +288,12 @@ TEST(ClosestPoint, CountsEveryMinimumOfTwoRandomCellsOnce)
   std::mt19937 random(5);
   for (unsigned int i = 0; i < 20000; ++i)
     {
-      std::array<HermiteCell<>, 2> cells = {{random_cell(random),
-                                             random_cell(random)}};
-      cells[1].coefficients[0]           = cells[0].coefficients[2];
-      cells[1].coefficients[1]           = cells[0].coefficients[3];
-      const Tensor<1, 3> node            = cells[0].coefficients[2];
-      const Tensor<1, 3> tangent         = cells[0].coefficients[3];
+      std::array<HermiteCell<>, 2> cells = {
+        {random_cell(random), random_cell(random)}};
+      cells[1].coefficients[0]   = cells[0].coefficients[2];
+      cells[1].coefficients[1]   = cells[0].coefficients[3];
+      const Tensor<1, 3> node    = cells[0].coefficients[2];
+      const Tensor<1, 3> tangent = cells[0].coefficients[3];
       const Tensor<1, 3> point =
         node + cross_product_3d(tangent, random_vector(random));
 
@@ -321,8 +322,7 @@ TEST(ClosestPoint, StaysAtTheEndOfAFiber)
   const Tensor<1, 3>  before({-.5, 1., 0.}), beside({.5, 1., 0.}),
     behind({2.5, 1., 0.});
 
-  for (const FiberEnds &ends :
-       {FiberEnds{false, false}, FiberEnds{true, true}})
+  for (const FiberEnds &ends : {FiberEnds{false, false}, FiberEnds{true, true}})
     {
       const Projections found = closest_points(cell, beside, ends);
       ASSERT_EQ(found.size(), 1u);
@@ -368,11 +368,9 @@ TEST(ClosestPoint, IsOneInThePlaneThroughTheEnds)
 TEST(ClosestPoint, IsNotAMaximum)
 {
   const Tensor<1, 3>  t1({0., 1., 0.}), t2({-1., 0., 0.});
-  const HermiteCell<> arc = {{{Tensor<1, 3>({1., 0., 0.}),
-                               t1,
-                               Tensor<1, 3>({0., 1., 0.}),
-                               t2}},
-                             M_PI / 2.};
+  const HermiteCell<> arc = {
+    {{Tensor<1, 3>({1., 0., 0.}), t1, Tensor<1, 3>({0., 1., 0.}), t2}},
+    M_PI / 2.};
   const Projections both =
     closest_points(arc, Tensor<1, 3>({-1., -1., 0.}), {true, true});
   ASSERT_EQ(both.size(), 2u);
@@ -397,8 +395,8 @@ TEST(ClosestPoint, FindsPointsOfTheCurveItself)
   std::mt19937 random(6);
   for (unsigned int i = 0; i < 1000; ++i)
     {
-      const HermiteCell<> cell = random_cell(random);
-      const double        x    = (i + .5) / 1000.;
+      const HermiteCell<> cell  = random_cell(random);
+      const double        x     = (i + .5) / 1000.;
       double              error = std::numeric_limits<double>::infinity();
       for (const Projection &projection :
            closest_points(cell, cell.position(x), {}))

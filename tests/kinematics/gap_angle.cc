@@ -4,6 +4,7 @@
 // Gradient and Hessian in the four vectors against automatic derivatives.
 
 #include <gtest/gtest.h>
+
 #include <setae/kinematics/gap_angle.h>
 
 #include <algorithm>
@@ -38,8 +39,7 @@ namespace
   random_law(std::mt19937 &random)
   {
     std::normal_distribution<double> n;
-    return {
-      n(random), n(random), n(random), n(random), n(random), n(random)};
+    return {n(random), n(random), n(random), n(random), n(random), n(random)};
   }
 
   /**
@@ -47,7 +47,7 @@ namespace
    * the pair, on the twelve coordinates as variables.
    */
   LocalSystem<12>
-  by_sacado(const PointPair &          pair,
+  by_sacado(const PointPair           &pair,
             const double               sum_of_radii,
             const GapAngleDerivatives &law)
   {
@@ -62,16 +62,17 @@ namespace
       }
     const auto &[r1, a1, r2, a2] = v;
 
-    const Tensor<1, 3, Number> d = r1 - r2;
-    const Number gap    = sqrt(Number(d * d)) - sum_of_radii;
+    const Tensor<1, 3, Number> d   = r1 - r2;
+    const Number               gap = sqrt(Number(d * d)) - sum_of_radii;
     const Number cosine = (a1 * a2) / sqrt(Number((a1 * a1) * (a2 * a2)));
     const Number g = gap - gap.val().val(), c = cosine - cosine.val().val();
-    return local_system<12>(Number(
-      law.value + law.g * g + law.c * c + .5 * law.gg * g * g +
-      law.gc * g * c + .5 * law.cc * c * c));
+    return local_system<12>(Number(law.value + law.g * g + law.c * c +
+                                   .5 * law.gg * g * g + law.gc * g * c +
+                                   .5 * law.cc * c * c));
   }
 
-  /** What the entries of the derivatives with respect to a vector scale with. */
+  /** What the entries of the derivatives with respect to a vector scale with.
+   */
   double
   size_of(const unsigned int vector, const GapAngle &geometry)
   {
@@ -82,7 +83,7 @@ namespace
   }
 
   void
-  expect_derivatives(const PointPair &          pair,
+  expect_derivatives(const PointPair           &pair,
                      const double               sum_of_radii,
                      const GapAngleDerivatives &law)
   {
@@ -149,11 +150,11 @@ TEST(GapAngle, HasTheDerivativesOfTheEnergy)
   for (unsigned int i = 0; i < 300; ++i)
     {
       // Distances and parameters of the curves over six decades.
-      const auto scale = [&]() { return std::pow(10., exponent(random)); };
-      const PointPair pair = {scale() * random_vector(random),
-                              scale() * random_vector(random),
-                              scale() * random_vector(random),
-                              scale() * random_vector(random)};
+      const auto      scale = [&]() { return std::pow(10., exponent(random)); };
+      const PointPair pair  = {scale() * random_vector(random),
+                               scale() * random_vector(random),
+                               scale() * random_vector(random),
+                               scale() * random_vector(random)};
       expect_derivatives(pair, .1, random_law(random));
     }
 }
@@ -168,12 +169,12 @@ TEST(GapAngle, HasThemForParallelAndPerpendicularTangents)
       const Tensor<1, 3> a1 = random_vector(random);
       const Tensor<1, 3> perpendicular =
         cross_product_3d(a1, random_vector(random));
-      const Tensor<1, 3> r1 = random_vector(random),
-                         r2 = random_vector(random);
+      const Tensor<1, 3> r1 = random_vector(random), r2 = random_vector(random);
       const Tensor<1, 3> nearly = a1 + 1e-9 * perpendicular;
-      for (const Tensor<1, 3> &a2 :
-           {Tensor<1, 3>(2. * a1), Tensor<1, 3>(-3. * a1), nearly,
-            perpendicular})
+      for (const Tensor<1, 3> &a2 : {Tensor<1, 3>(2. * a1),
+                                     Tensor<1, 3>(-3. * a1),
+                                     nearly,
+                                     perpendicular})
         expect_derivatives({r1, a1, r2, a2}, .1, random_law(random));
     }
 }
@@ -189,11 +190,11 @@ TEST(GapAngle, HasThemWhereSurfacesNearlyTouchOrOverlap)
         {
           const double       sum_of_radii = 1. + radius;
           const Tensor<1, 3> r2           = random_vector(random);
-          const PointPair    pair         = {
-            r2 + (sum_of_radii + gap) * random_direction(random),
-            random_vector(random),
-            r2,
-            random_vector(random)};
+          const PointPair    pair         = {r2 + (sum_of_radii + gap) *
+                                                    random_direction(random),
+                                             random_vector(random),
+                                             r2,
+                                             random_vector(random)};
           EXPECT_NEAR(GapAngle(pair, sum_of_radii).gap, gap, 2e-15);
           expect_derivatives(pair, sum_of_radii, random_law(random));
         }

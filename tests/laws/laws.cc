@@ -7,6 +7,7 @@
 #include <boost/math/quadrature/tanh_sinh.hpp>
 
 #include <gtest/gtest.h>
+
 #include <setae/laws/all.h>
 #include <setae/laws/lennard_jones.h>
 
@@ -53,14 +54,15 @@ namespace
 
     boost::math::quadrature::tanh_sinh<double> inner, outer;
 
-    const auto chord_angle =
-      [](const double r, const double R, const double distance, const double a) {
-        // The half angle of the arc of radius r around a point at `distance`
-        // from the center of a disk of radius R; a = r - (distance - R).
-        const double cosine =
-          1. - a * (2. * R - a) / (2. * r * distance);
-        return std::acos(std::min(1., std::max(-1., cosine)));
-      };
+    const auto chord_angle = [](const double r,
+                                const double R,
+                                const double distance,
+                                const double a) {
+      // The half angle of the arc of radius r around a point at `distance`
+      // from the center of a disk of radius R; a = r - (distance - R).
+      const double cosine = 1. - a * (2. * R - a) / (2. * r * distance);
+      return std::acos(std::min(1., std::max(-1., cosine)));
+    };
     const auto over_p = [&](const double t, const double p_min) {
       return inner.integrate(
         [&](const double log_ratio) {
@@ -230,7 +232,8 @@ TEST(DiskDisk, IsTooStrongWhenIntegratedOverParallelCylinders)
                               std::tgamma(m - 3.5);
       EXPECT_NEAR(2. * half / expected, 1., 5e-6) << "m = " << m;
       EXPECT_GT(2. * half,
-                100. * DiskCylinder({{m, 1.}}, SectionPair(), {})(gap, 1.).value);
+                100. *
+                  DiskCylinder({{m, 1.}}, SectionPair(), {})(gap, 1.).value);
     }
 }
 
@@ -299,7 +302,7 @@ namespace
    */
   template <typename Function>
   void
-  expect_derivatives(const Function &     f,
+  expect_derivatives(const Function      &f,
                      const InversePowers &scale,
                      const double         gap)
   {
@@ -338,8 +341,8 @@ TEST(InversePowers, IsTheSumOfItsPowers)
 {
   const InversePowers f(terms);
   for (const double gap : many_gaps())
-    EXPECT_NEAR(f.value(gap) / (-2. * std::pow(gap, -1.5) +
-                                3e-9 * std::pow(gap, -7.5)),
+    EXPECT_NEAR(f.value(gap) /
+                  (-2. * std::pow(gap, -1.5) + 3e-9 * std::pow(gap, -7.5)),
                 1.,
                 1e-11);
 }
@@ -349,7 +352,9 @@ TEST(InversePowers, IsTheSumOfItsPowers)
 TEST(InversePowers, HasTheDerivativesOfItsValue)
 {
   for (const double gap : many_gaps())
-    expect_derivatives(InversePowers(terms), InversePowers(positive(terms)), gap);
+    expect_derivatives(InversePowers(terms),
+                       InversePowers(positive(terms)),
+                       gap);
 }
 
 
@@ -400,9 +405,8 @@ TEST(Regularized, IsAParabolaBelowTheRegularizationGapAndNegative)
 TEST(Regularized, HasTwoContinuousDerivatives)
 {
   const Regularized<InversePowers> r(InversePowers(terms), .01);
-  const GapDerivatives at   = InversePowers(terms).derivatives(.01);
-  const GapDerivatives below =
-    r.derivatives(std::nextafter(.01, 0.));
+  const GapDerivatives             at = InversePowers(terms).derivatives(.01);
+  const GapDerivatives below          = r.derivatives(std::nextafter(.01, 0.));
   EXPECT_NEAR(below.value / at.value, 1., 1e-13);
   EXPECT_NEAR(below.first / at.first, 1., 1e-13);
   EXPECT_NEAR(below.second / at.second, 1., 1e-13);
@@ -532,7 +536,7 @@ namespace
     static GapAngleDerivatives
     by_sacado(const Law &law, const double gap, const double cosine)
     {
-      const auto g = variable<2>(0, gap), c = variable<2>(1, cosine);
+      const auto   g = variable<2>(0, gap), c = variable<2>(1, cosine);
       NestedFad<2> energy;
       if constexpr (has_angle)
         energy = law.energy(g, c);
@@ -555,7 +559,7 @@ namespace
       for (InversePower &power : positive)
         power.prefactor = std::abs(power.prefactor);
       const double clipped = std::max(gap, range.regularization);
-      const auto   plain = by_hand(Law(positive, pair, GapRange()), clipped, 0.);
+      const auto plain = by_hand(Law(positive, pair, GapRange()), clipped, 0.);
 
       // expansion below, switch above, and the angle where it matters most
       const double x     = clipped - gap;
@@ -564,8 +568,8 @@ namespace
       const double g     = -plain.g + x * gg + 2. * plain.value / width;
       const double v     = plain.value + x * g;
       const double ratio = 1. + pair.radius_1 / pair.radius_2;
-      return {v, g, std::sqrt(ratio) * v, gg, std::sqrt(ratio) * g,
-              3. * ratio * v};
+      return {
+        v, g, std::sqrt(ratio) * v, gg, std::sqrt(ratio) * g, 3. * ratio * v};
     }
   };
 
@@ -586,9 +590,8 @@ TYPED_TEST(LawDerivatives, AreThoseOfTheEnergy)
 
   std::mt19937                           random(2);
   std::uniform_real_distribution<double> any(-1., 1.);
-  for (const SectionPair &pair : {sections,
-                                  SectionPair{.001, 1., 1., 1.},
-                                  SectionPair{1., .001, 1., 1.}})
+  for (const SectionPair &pair :
+       {sections, SectionPair{.001, 1., 1., 1.}, SectionPair{1., .001, 1., 1.}})
     {
       const TypeParam law(this->potential(pair), pair, range);
       for (const double gap : gaps)
