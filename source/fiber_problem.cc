@@ -7,15 +7,12 @@
 #include <setae/assembly/load.h>
 #include <setae/base/exceptions.h>
 #include <setae/fiber_problem.h>
-#include <setae/revision.h>
 #include <setae/solvers/newton.h>
 #include <setae/solvers/relaxation.h>
 
+#include <algorithm>
 #include <cmath>
-#include <exception>
-#include <filesystem>
-#include <fstream>
-#include <iomanip>
+#include <sstream>
 
 namespace Setae
 {
@@ -36,33 +33,6 @@ namespace Setae
                           "interaction");
       return names;
     }
-
-
-
-    /**
-     * Write files from the first rank. If that fails, every rank throws: none is
-     * left waiting for the others.
-     */
-    template <typename Function>
-    void
-    on_first_rank(const MPI_Comm communicator, const Function &function)
-    {
-      std::exception_ptr problem;
-      if (Utilities::MPI::this_mpi_process(communicator) == 0)
-        try
-          {
-            function();
-          }
-        catch (...)
-          {
-            problem = std::current_exception();
-          }
-      const bool failed =
-        Utilities::MPI::max(problem ? 1 : 0, communicator) == 1;
-      if (problem)
-        std::rethrow_exception(problem);
-      AssertThrow(!failed, ExcRun("The first rank cannot write its files."));
-    }
   } // namespace
 
 
@@ -73,6 +43,7 @@ namespace Setae
     : scene(scene)
     , communicator(communicator)
     , pcout(out, Utilities::MPI::this_mpi_process(communicator) == 0)
+    , progress(pcout, this->scene, term_names(scene))
     // Without the communicator, which would make it print a notice on the way
     // out of a run that failed.
     , timer(pcout, TimerOutput::never, TimerOutput::wall_times)
@@ -82,8 +53,6 @@ namespace Setae
     , all_dofs(complete_index_set(fibers.dof_handler.n_dofs()))
     , solution(fibers.owned_dofs, communicator)
     , everywhere(fibers.owned_dofs, all_dofs, communicator)
-    , statistics(term_names(scene))
-    , last_field_output(-std::numeric_limits<double>::infinity())
   {
     setup_terms();
     check_initial_gaps();
@@ -101,7 +70,11 @@ namespace Setae
     strain             = strain_energy.get();
     terms.push_back(std::move(strain_energy));
     for (const LoadParameters &load : scene.loads)
-      terms.push_back(std::make_unique<Load>(fibers, load));
+      {
+        auto term = std::make_unique<Load>(fibers, load);
+        loads.push_back(term.get());
+        terms.push_back(std::move(term));
+      }
     for (const InteractionParameters &interaction : scene.interactions)
       terms.push_back(make_interaction(fibers, interaction));
   }
@@ -382,14 +355,8 @@ namespace Setae
   FiberProblem::solve_step(LoadStepping &steps, StepRecord &record)
   {
     const Newton::Log log = [this](const IterationReport &report) {
-      if (scene.newton.log_iterations)
-        pcout << "    iteration " << std::setw(3) << report.iteration
-              << "  residual " << std::scientific << std::setprecision(3)
-              << report.residual_norm << "  increment " << report.increment_norm
-              << "  factor " << report.factor << "  gap " << report.smallest_gap
-              << std::defaultfloat << std::endl;
+      progress.print_iteration(report);
     };
-
     const Newton newton(scene.newton, log);
     for (;;)
       {
@@ -403,13 +370,12 @@ namespace Setae
           }
         record.n_iterations_rejected += result.n_iterations;
         ++record.n_rejected;
-        if (scene.newton.log_iterations)
-          pcout << "    rejected: " << result.reason << std::endl;
+        progress.print_rejection(result.reason);
         if (steps.reject())
           continue;
 
         SolverResult relaxed = result;
-        if (scene.load_stepping.pass_instabilities)
+        if (scene.load_stepping.pass_instabilities && has_potential())
           relaxed =
             Relaxation(scene.newton, log).solve(*this, solution, record.time);
         std::ostringstream message;
@@ -425,6 +391,36 @@ namespace Setae
 
 
 
+  bool
+  FiberProblem::has_potential() const
+  {
+    return std::all_of(terms.begin(), terms.end(), [](const auto &term) {
+      return term->has_potential();
+    });
+  }
+
+
+
+  /** Fill in what is known of every step once it is solved. */
+  void
+  FiberProblem::complete(StepRecord &record, const SolverResult &result)
+  {
+    record.step             = summary.n_steps;
+    record.evaluation       = result.evaluation;
+    record.n_iterations     = result.n_iterations;
+    record.has_interactions = !scene.interactions.empty();
+    record.supports         = supports.report(record.time, system.residual);
+    record.wall_time        = wall_clock.wall_time();
+
+    const State state = this->state();
+    for (unsigned int i = 0; i < loads.size(); ++i)
+      if (loads[i]->has_point())
+        record.loads.push_back(
+          {scene.loads[i].name, loads[i]->displacement(state)});
+  }
+
+
+
   RunSummary
   FiberProblem::run(const std::function<void(const StepRecord &)> &visit)
   {
@@ -432,41 +428,30 @@ namespace Setae
     summary = {};
     wall_clock.restart();
 
-    // The fibers as they are given need not be in equilibrium.
-    LoadStepping steps(scene.load_stepping, scene.constants);
-    const auto   add = [&](StepRecord record, const SolverResult &result) {
-      record.step             = summary.n_steps++;
-      record.evaluation       = result.evaluation;
-      record.n_iterations     = result.n_iterations;
-      record.has_interactions = !scene.interactions.empty();
-      record.supports         = supports.report(record.time, system.residual);
-      record.wall_time        = wall_clock.wall_time();
-      summary.n_iterations +=
-        record.n_iterations + record.n_iterations_rejected;
-      summary.n_rejected_steps += record.n_rejected;
-      summary.n_rejected_iterations += record.n_iterations_rejected;
-      summary.n_snaps += record.is_snap ? 1 : 0;
-      summary.smallest_gap =
-        std::min(summary.smallest_gap, result.evaluation.gaps.smallest);
+    const auto finish_step = [&](StepRecord          record,
+                                 const SolverResult &result) {
+      complete(record, result);
+      summary.add(record);
       visit(record);
     };
 
+    // The fibers as they are given need not be in equilibrium.
     const SolverResult initial =
       Newton(scene.newton, [](const IterationReport &) {
       }).solve(*this, solution, 0.);
     AssertThrow(initial.converged,
                 ExcRun("There is no equilibrium at time 0: " + initial.reason +
                        "."));
-    add(StepRecord{}, initial);
+    finish_step(StepRecord{}, initial);
 
+    LoadStepping steps(scene.load_stepping, scene.constants);
     while (!steps.is_finished())
       {
-        StepRecord         record{};
+        StepRecord         record;
         const SolverResult result = solve_step(steps, record);
-        add(record, result);
+        finish_step(record, result);
       }
-    summary.wall_time = wall_clock.wall_time();
-    summary.cpu_time  = cpu_clock.cpu_time();
+    summary.cpu_time = cpu_clock.cpu_time();
     return summary;
   }
 
@@ -475,132 +460,25 @@ namespace Setae
   RunSummary
   FiberProblem::run()
   {
-    prepare_directory();
-    print_header();
-    run([this](const StepRecord &record) {
-      output_results(record);
-      print_step(record);
+    ResultFiles files(fibers, term_names(scene));
+    files.prepare();
+    progress.print_header(fibers);
+    run([&](const StepRecord &record) {
+      output_results(record, files);
+      progress.print_step(record);
     });
-    print_summary(summary);
+    progress.print_summary(summary);
+    timer.print_summary();
     return summary;
   }
 
 
 
   void
-  FiberProblem::prepare_directory() const
-  {
-    on_first_rank(communicator, [this]() {
-      const std::filesystem::path directory(scene.output.directory);
-      std::error_code             error;
-      std::filesystem::create_directories(directory, error);
-      std::ofstream parameters(directory / "parameters.prm");
-      parameters << scene.used_parameters;
-      parameters.close();
-      AssertThrow(parameters.good(),
-                  ExcParameter("output/directory",
-                               scene.output.directory,
-                               "a directory that can be written"));
-
-      // What an earlier run left must not mix with this one.
-      for (const auto &entry : std::filesystem::directory_iterator(directory))
-        {
-          const std::string name      = entry.path().filename().string();
-          const std::string extension = entry.path().extension().string();
-          if (name == "statistics.txt" || extension == ".pvd" ||
-              extension == ".vtu" || extension == ".pvtu")
-            std::filesystem::remove(entry.path());
-        }
-    });
-  }
-
-
-
-  void
-  FiberProblem::output_results(const StepRecord &record)
+  FiberProblem::output_results(const StepRecord &record, ResultFiles &files)
   {
     TimerOutput::Scope section(timer, "output");
-    statistics.add(record);
-    on_first_rank(communicator,
-                  [this]() { statistics.write(scene.output.directory); });
-
-    const bool is_last = record.time >= scene.load_stepping.end_time;
-    const bool is_due =
-      record.time >= last_field_output + scene.output.interval * (1. - 1e-10);
-    if (!scene.output.fields || !(is_due || is_last || record.is_snap))
-      return;
-    if (!visualization)
-      visualization =
-        std::make_unique<Visualization>(fibers, scene.output.directory);
-    last_field_output = record.time;
-    everywhere        = solution;
-    visualization->write(fibers.state(everywhere, record.time), *strain, terms);
-  }
-
-
-
-  void
-  FiberProblem::print_header()
-  {
-    pcout << "Setae " << version << " (" << git_revision << "), deal.II "
-          << DEAL_II_PACKAGE_VERSION << ", "
-          << Utilities::MPI::n_mpi_processes(communicator) << " rank(s)\n"
-          << (scene.title.empty() ? "" : scene.title + "\n")
-          << fibers.fibers.size() << " fiber(s), " << fibers.initial.size()
-          << " cells, " << fibers.dof_handler.n_dofs()
-          << " degrees of freedom, results in " << scene.output.directory
-          << "\n"
-          << std::endl;
-  }
-
-
-
-  void
-  FiberProblem::print_step(const StepRecord &record)
-  {
-    const double       progress = record.time / scene.load_stepping.end_time;
-    std::ostringstream line;
-    line << "step " << std::setw(4) << record.step << "  t " << std::fixed
-         << std::setprecision(6) << record.time << "  dt " << std::scientific
-         << std::setprecision(1) << record.step_size << "  iterations "
-         << std::setw(2) << record.n_iterations;
-    if (record.n_rejected > 0)
-      line << " (+" << record.n_iterations_rejected << " rejected)";
-    line << std::setprecision(4);
-    if (record.has_interactions)
-      line << "  gap " << record.evaluation.gaps.smallest;
-    line << "  energy";
-    const auto names = term_names(scene);
-    for (unsigned int i = 0; i < names.size(); ++i)
-      line << ' ' << names[i] << ' ' << record.evaluation.energies[i];
-    line << std::fixed << std::setprecision(1) << "  " << record.wall_time
-         << " s";
-    if (progress > 0. && progress < 1.)
-      line << " of about " << record.wall_time / progress << " s";
-    if (record.is_snap)
-      line << "  [snap to the next stable state]";
-    pcout << line.str() << std::endl;
-  }
-
-
-
-  void
-  FiberProblem::print_summary(const RunSummary &summary)
-  {
-    pcout << '\n'
-          << summary.n_steps << " steps, " << summary.n_iterations
-          << " iterations (" << summary.n_rejected_iterations << " of them in "
-          << summary.n_rejected_steps << " rejected steps), " << summary.n_snaps
-          << " instabilities passed\n";
-    if (!scene.interactions.empty())
-      {
-        pcout << "Smallest gap of all steps: " << summary.smallest_gap << '\n';
-        for (const InteractionParameters &interaction : scene.interactions)
-          if (interaction.regularization > 0.)
-            pcout << "Regularized below " << interaction.regularization
-                  << ": no step has a smaller gap, so the solution does not "
-                     "depend on it\n";
-      }
-    timer.print_summary();
+    everywhere = solution;
+    files.add(record, fibers.state(everywhere, record.time), *strain, terms);
   }
 } // namespace Setae

@@ -189,11 +189,10 @@ namespace Setae
             const std::string text    = sentence(exception);
             const std::size_t pattern = text.find('[');
             AssertThrow(false,
-                        ExcParameter(path(),
-                                     value,
-                                     text.substr(pattern,
-                                                 text.rfind(']') + 1 -
-                                                   pattern)));
+                        ExcParameter(
+                          path(),
+                          value,
+                          text.substr(pattern, text.rfind(']') + 1 - pattern)));
           }
         for (unsigned int i = 0; i < sections.size(); ++i)
           prm.leave_subsection();
@@ -289,9 +288,8 @@ namespace Setae
             "at least one of x, y, z");
     scene.check();
     if (scene.output.directory.empty())
-      scene.output.directory = (std::filesystem::path("output") /
-                                std::filesystem::path(file_name).stem())
-                                 .string();
+      scene.output.directory =
+        "output-" + std::filesystem::path(file_name).stem().string();
 
     std::ostringstream used;
     prm.print_parameters(used, ParameterHandler::ShortText);

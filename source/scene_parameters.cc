@@ -318,8 +318,8 @@ namespace Setae
   {
     prm.add_parameter("directory",
                       directory,
-                      "Where results are written; empty takes output/ and the "
-                      "name of the .prm file.",
+                      "Where results are written; empty takes 'output-' and "
+                      "the name of the .prm file.",
                       Patterns::Anything());
     prm.add_parameter("fields",
                       fields,

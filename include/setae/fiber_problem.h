@@ -10,11 +10,12 @@
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/trilinos_solver.h>
 
+#include <setae/assembly/load.h>
 #include <setae/assembly/strain_energy.h>
 #include <setae/assembly/supports.h>
 #include <setae/fibers/fiber_system.h>
-#include <setae/output/statistics.h>
-#include <setae/output/visualization.h>
+#include <setae/output/progress.h>
+#include <setae/output/result_files.h>
 #include <setae/scene.h>
 #include <setae/solvers/load_stepping.h>
 #include <setae/solvers/nonlinear_system.h>
@@ -24,21 +25,6 @@
 
 namespace Setae
 {
-  /** What a whole run took. */
-  struct RunSummary
-  {
-    unsigned int n_steps               = 0;
-    unsigned int n_iterations          = 0; ///< rejected ones included
-    unsigned int n_rejected_steps      = 0;
-    unsigned int n_rejected_iterations = 0;
-    unsigned int n_snaps               = 0;
-    double       smallest_gap = std::numeric_limits<double>::infinity();
-    double       cpu_time     = 0.; ///< of this rank [s]
-    double       wall_time    = 0.; ///< [s]
-  };
-
-
-
   /**
    * The driver: a scene is a list of fibers and a list of energy terms, whose
    * sum is made stationary for each load step.
@@ -144,20 +130,14 @@ namespace Setae
     SolverResult
     solve_step(LoadStepping &steps, StepRecord &record);
 
-    void
-    output_results(const StepRecord &record);
+    bool
+    has_potential() const;
 
     void
-    prepare_directory() const;
+    complete(StepRecord &record, const SolverResult &result);
 
     void
-    print_header();
-
-    void
-    print_step(const StepRecord &record);
-
-    void
-    print_summary(const RunSummary &summary);
+    output_results(const StepRecord &record, ResultFiles &files);
 
     std::string
     where(const GapReport &gaps) const;
@@ -165,12 +145,14 @@ namespace Setae
     const Scene                 scene;
     const MPI_Comm              communicator;
     dealii::ConditionalOStream  pcout;
+    Progress                    progress;
     mutable dealii::TimerOutput timer;
     dealii::Timer               wall_clock;
 
     FiberSystem                              fibers;
     std::vector<std::unique_ptr<EnergyTerm>> terms;
     const StrainEnergy                      *strain; ///< the first of the terms
+    std::vector<const Load *>                loads;
     Supports                                 supports;
     GlobalSystem                             system;
 
@@ -180,10 +162,7 @@ namespace Setae
     dealii::AffineConstraints<double> increment_constraints;
     bool                              increment_at_rest = true;
 
-    Statistics                     statistics;
-    std::unique_ptr<Visualization> visualization;
-    double                         last_field_output;
-    RunSummary                     summary;
+    RunSummary summary;
   };
 } // namespace Setae
 

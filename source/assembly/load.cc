@@ -13,6 +13,19 @@ namespace Setae
 {
   using namespace dealii;
 
+  namespace
+  {
+    bool
+    is_given(std::string moment)
+    {
+      moment.erase(std::remove(moment.begin(), moment.end(), ' '),
+                   moment.end());
+      return moment != "0;0;0";
+    }
+  } // namespace
+
+
+
   Load::Load(const FiberSystem &fibers, const LoadParameters &parameters)
     : fibers(fibers)
     , parameters(parameters)
@@ -24,6 +37,7 @@ namespace Setae
              parameters.moment,
              "s,t",
              fibers.scene.constants)
+    , has_moment(is_given(parameters.moment))
   {
     for (const unsigned int fiber : fibers.select(parameters.fibers))
       for (const std::string &place : parameters.at)
@@ -73,10 +87,21 @@ namespace Setae
                              place,
                              "at most the length " + std::to_string(end)));
     const auto [cell, x] = fibers.locate(fiber, s);
+    if (!first_point)
+      first_point = {cell, x};
     if (std::binary_search(fibers.owned_cells.begin(),
                            fibers.owned_cells.end(),
                            cell))
       sites.push_back({cell, x, s, 1.});
+  }
+
+
+
+  Tensor<1, 3>
+  Load::displacement(const State &state) const
+  {
+    Assert(has_point(), dealii::ExcInternalError());
+    return state.displacement[first_point->first].position(first_point->second);
   }
 
 

@@ -93,6 +93,7 @@ namespace Setae
             expressions.push_back(std::make_unique<Expression>(
               path + entry, parts[c], "t", constants));
             result[c] = expressions.back().get();
+            (*result[c])(0.); // finite, or there is nothing to begin with
           }
       return result;
     };

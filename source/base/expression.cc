@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <set>
 
 namespace Setae
 {
@@ -64,10 +65,13 @@ namespace Setae
     for (const std::string &entry : Utilities::split_string_list(text, ','))
       {
         const auto sides = Utilities::split_string_list(entry, '=');
-        AssertThrow(sides.size() == 2 && !sides[0].empty(),
+        const std::set<std::string> reserved = {
+          "", "s", "t", "i", "j", "k", "pi"};
+        AssertThrow(sides.size() == 2 && reserved.count(sides[0]) == 0,
                     ExcParameter(parameter,
                                  text,
-                                 "a list 'name = value, ...'"));
+                                 "a list 'name = value, ...' with names other "
+                                 "than s, t, i, j, k, pi"));
         constants[sides[0]] =
           Expression(parameter, sides[1], "unused", constants)(0.);
       }
@@ -97,7 +101,7 @@ namespace Setae
         // muParser looks at a formula when it is evaluated first.
         parser->value(Point<2>());
       }
-    catch (const std::exception &)
+    catch (...) // muParser's own exception is no std::exception
       {
         std::string names = variables == "unused" ? "" : variables;
         for (const auto &[name, value] : all)

@@ -25,11 +25,11 @@ namespace Setae
     // belongs to a load step that is too long: giving up soon is cheaper.
     constexpr unsigned int max_n_halvings = 3;
 
-    // In slender fibers, a good increment may well raise the residual once: what
-    // bends is stretched at first. So the decrease is measured against the
+    // In slender fibers, a good increment may well raise the residual once:
+    // what bends is stretched at first. So the decrease is measured against the
     // largest of the last few norms (Grippo, Lampariello, Lucidi 1986). Where
-    // there is no equilibrium, the iterations wander about the smallest residual:
-    // it has to be halved within a few of them.
+    // there is no equilibrium, the iterations wander about the smallest
+    // residual: it has to be halved within a few of them.
     constexpr unsigned int memory = 3, patience = 6;
     std::deque<double>     last_norms;
     double       reference_norm      = std::numeric_limits<double>::infinity();

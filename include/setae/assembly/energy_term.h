@@ -63,6 +63,13 @@ namespace Setae
              const Request request,
              GlobalSystem &system) = 0;
 
+    /** Whether assemble() returns the energy of all its forces. */
+    virtual bool
+    has_potential() const
+    {
+      return true;
+    }
+
     /** The gaps on this rank that the last assemble() saw. */
     virtual GapReport
     gaps() const

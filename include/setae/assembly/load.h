@@ -6,6 +6,8 @@
 
 #include <setae/assembly/energy_term.h>
 
+#include <optional>
+
 namespace Setae
 {
   /**
@@ -14,8 +16,8 @@ namespace Setae
    *
    * A force is conservative and has the energy -f.u. A moment m does the work
    * @f$m\cdot(t\times\delta t)@f$ with the unit tangent t, so it acts on r' with
-   * the force @f$m\times r'/|r'|^2@f$. In a plane it has a potential; in space it
-   * has none: it then adds nothing to the energy, and its tangent matrix is not
+   * the force @f$m\times r'/|r'|^2@f$. In space it has no
+   * potential, so it adds nothing to the energy, and its tangent matrix is not
    * symmetric.
    */
   class Load : public EnergyTerm
@@ -27,6 +29,23 @@ namespace Setae
     name() const override
     {
       return "load";
+    }
+
+    /** Whether there is a point load among its places. */
+    bool
+    has_point() const
+    {
+      return first_point.has_value();
+    }
+
+    /** The displacement of the first loaded point [length], on every rank. */
+    Tensor<1, 3>
+    displacement(const State &state) const;
+
+    bool
+    has_potential() const override
+    {
+      return !has_moment;
     }
 
     double
@@ -60,7 +79,11 @@ namespace Setae
     LoadParameters     parameters;
     VectorExpression   force;
     VectorExpression   moment;
+    bool               has_moment;
     std::vector<Site>  sites;
+
+    /** Cell and reference coordinate of the first loaded point. */
+    std::optional<std::pair<unsigned int, double>> first_point;
   };
 } // namespace Setae
 

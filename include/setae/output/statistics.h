@@ -6,32 +6,13 @@
 
 #include <deal.II/base/table_handler.h>
 
-#include <setae/assembly/supports.h>
-#include <setae/solvers/nonlinear_system.h>
+#include <setae/output/step_record.h>
 
 #include <string>
 #include <vector>
 
 namespace Setae
 {
-  /** One load step, as it goes into the statistics. */
-  struct StepRecord
-  {
-    unsigned int               step;
-    double                     time;
-    double                     step_size;
-    std::vector<SupportReport> supports;
-    Evaluation                 evaluation;
-    bool                       has_interactions;
-    unsigned int               n_iterations;          ///< of this step
-    unsigned int               n_iterations_rejected; ///< before it
-    unsigned int               n_rejected;            ///< attempts before it
-    bool                       is_snap; ///< reached by the overdamped motion
-    double                     wall_time;
-  };
-
-
-
   /**
    * The table of all load steps, `statistics.txt`: one line a step, the columns
    * named in the header, ready for gnuplot.

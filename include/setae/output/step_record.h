@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 The Setae authors
+
+#ifndef setae_output_step_record_h
+#define setae_output_step_record_h
+
+#include <setae/assembly/supports.h>
+#include <setae/solvers/nonlinear_system.h>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace Setae
+{
+  /** The displacement of a loaded point, for the statistics. */
+  struct LoadReport
+  {
+    std::string  name;
+    Tensor<1, 3> displacement; ///< [length]
+  };
+
+
+
+  /** One load step, as it goes to the screen and into the statistics. */
+  struct StepRecord
+  {
+    unsigned int               step      = 0;
+    double                     time      = 0.;
+    double                     step_size = 0.;
+    std::vector<SupportReport> supports;
+    std::vector<LoadReport>    loads;
+    Evaluation                 evaluation;
+    bool                       has_interactions      = false;
+    unsigned int               n_iterations          = 0; ///< of this step
+    unsigned int               n_iterations_rejected = 0; ///< before it
+    unsigned int               n_rejected = 0;     ///< attempts before it
+    bool                       is_snap    = false; ///< by the overdamped motion
+    double                     wall_time  = 0.;    ///< since the start [s]
+  };
+
+
+
+  /** What a whole run took. */
+  struct RunSummary
+  {
+    unsigned int n_steps               = 0;
+    unsigned int n_iterations          = 0; ///< rejected ones included
+    unsigned int n_rejected_steps      = 0;
+    unsigned int n_rejected_iterations = 0;
+    unsigned int n_snaps               = 0;
+    double       smallest_gap = std::numeric_limits<double>::infinity();
+    double       cpu_time     = 0.; ///< of this rank [s]
+    double       wall_time    = 0.; ///< [s]
+
+    void
+    add(const StepRecord &record);
+  };
+} // namespace Setae
+
+#endif

@@ -1,0 +1,215 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 The Setae authors
+#
+# Whatever is wrong in the input ends the program with status 1 and exactly one
+# line, which names the parameter, its value and what is allowed, before
+# anything is written: results of an earlier run stay as they are.
+
+source "$(dirname "${BASH_SOURCE[0]}")/expect.sh"
+
+cp "$here/two_fibers.prm" .
+cat >branched.vtk <<'END'
+# vtk DataFile Version 3.0
+a star of three lines
+ASCII
+DATASET UNSTRUCTURED_GRID
+POINTS 4 double
+0 0 0  1 0 0  0 1 0  0 -1 0
+CELLS 3 9
+2 0 1  2 0 2  2 0 3
+CELL_TYPES 3
+3 3 3
+END
+echo "no mesh" >no_mesh.msh
+
+# The default output directory of the scene, with results.
+mkdir -p output/two_fibers
+echo "an earlier result" >output/two_fibers/statistics.txt
+
+# rejects ARGUMENTS... -- FRAGMENTS...
+rejects() {
+  local arguments=() before
+  while [[ $1 != -- ]]; do
+    arguments+=("$1")
+    shift
+  done
+  shift
+  before=$(listing)
+  run "${arguments[@]}"
+  one_line_with "$@"
+  check "something is on stdout" [ ! -s "$captured/out" ]
+  check "something was written" [ "$before" = "$(listing)" ]
+}
+
+# The scene is right as long as nothing is changed in it.
+run two_fibers.prm --output good
+check "the unchanged scene fails" [ "$status" -eq 0 ]
+check "the unchanged scene writes to stderr" [ ! -s "$captured/err" ]
+check "the unchanged scene writes no results" [ -s good/statistics.txt ]
+
+# A parameter, its bad value and what is allowed, as it stands in the message.
+while IFS='|' read -r parameter value allowed; do
+  [[ -z $parameter ]] ||
+    rejects two_fibers.prm --set "$parameter=$value" -- \
+      "'$parameter'" "'$value'" "$allowed"
+done <<'END'
+coordinates||at least one of x, y, z
+coordinates|x, w|x|y|z
+constants|l|a list 'name = value, ...'
+constants|s = 3, g_eq = 1|other than s, t, i, j, k, pi
+fibers/names||at least one name
+fibers/names|left, all|different names
+fibers/left/radius|-1|Double 0
+fibers/left/radius|0|positive
+fibers/left/radius|thin|Double 0
+fibers/left/radius|nan|Double 0
+fibers/left/length|0|positive
+fibers/left/youngs modulus|0|positive
+fibers/left/poisson ratio|1|at most 0.5
+fibers/left/number density|-1|Double 0
+fibers/left/cells|0|1...
+fibers/left/cells|2.5|Integer
+fibers/left/copies|2, 0|1...
+fibers/left/copies|1, 1, 1, 2|length 1...3
+fibers/left/beam|rope|torsion-free Kirchhoff-Love
+fibers/left/centerline|0; s|three formulas
+fibers/left/centerline|0; 1; 0|a curve with a tangent at every s
+fibers/left/centerline|0; s^2; 0|a curve with a tangent at every s
+fibers/left/mesh file|none.msh|a file that exists
+fibers/left/mesh file|no_mesh.msh|a mesh of lines that GridIn can read
+fibers/left/mesh file|branched.vtk|without branches
+supports/held/fibers|nobody|all, left, right
+supports/held/at|middle|an arc length
+supports/held/at|1.3|the nearest one is at 1.25
+supports/held/displacement|0; 0|three times 'free' or a formula
+supports/held/tangent|0; 0|three times 'free' or a formula
+loads/weight/fibers|nobody|all, left, right
+loads/weight/at|5.1|at most the length 5
+loads/weight/force|0; 0|three formulas
+interactions/adhesion/law|gravity|disk-disk
+interactions/adhesion/source|nobody|all, left, right
+interactions/adhesion/target|nobody|all, left, right
+interactions/adhesion/two half passes|maybe|Bool
+interactions/adhesion/prefactors|-1, 1|'equilibrium gap' and 'force minimum'
+interactions/adhesion/exponents|6, 10|6, 12 with an equilibrium gap
+interactions/adhesion/equilibrium gap|0|positive
+interactions/adhesion/force minimum|1|Double
+interactions/adhesion/force minimum|0|negative
+interactions/adhesion/cutoff|0|positive
+interactions/adhesion/switch width|2|Double 0...1
+interactions/adhesion/regularization gap|0.1|below the gap from which on the cutoff
+load stepping/end time|0|positive
+load stepping/first step|0|positive
+load stepping/smallest step|0|positive
+load stepping/largest step|-1|positive
+load stepping/growth|0.5|Double 1
+newton/iterations|0|1...
+newton/residual tolerance|0|positive
+newton/increment tolerance|0|positive
+newton/linear solver|Umfpack|Amesos_Klu
+newton/log iterations|2|Bool
+output/interval|-1|Double 0
+output/subdivisions|0|1...
+END
+
+# One of several formulas is wrong: the message shows that one.
+while IFS='|' read -r parameter value shown allowed; do
+  [[ -z $parameter ]] ||
+    rejects two_fibers.prm --set "$parameter=$value" -- \
+      "'$parameter'" "'$shown'" "$allowed"
+done <<'END'
+constants|g_eq = 1, R = 2*q|2*q|g_eq, pi
+constants|2x = 1, g_eq = 1|1|a formula
+fibers/left/centerline|0; s + q; 0|s + q|s, g_eq, i, j, k, l, pi
+fibers/left/centerline|0; s; sin(|sin(|a formula
+fibers/left/centerline|0; log(-1 - s); 0|log(-1 - s)|finite
+supports/held/displacement|0; q*t; 0|q*t|t, g_eq, i, j, k, l, pi
+supports/held/displacement|1/t; 0; free|1/t|finite
+loads/weight/force|0; 0; q*s|q*s|s,t, g_eq, l, pi
+load stepping/largest step|if(t < q, 1, 2)|if(t < q, 1, 2)|t, g_eq, l, pi
+END
+
+# Parameters that do not fit each other.
+overlap=("Fibers overlap" "'left'" "'right'" "must be positive")
+rejects two_fibers.prm --set "fibers/right/centerline=0.039; s; 0" -- \
+  "${overlap[@]}" -0.001
+rejects two_fibers.prm --set "fibers/right/centerline=0; s; 0" -- \
+  "${overlap[@]}" -0.04
+rejects two_fibers.prm \
+  --set "interactions/adhesion/law=disk-disk" \
+  --set "fibers/right/centerline=0.039; s; 0" -- "${overlap[@]}" -0.001
+rejects two_fibers.prm --set "supports/pulled/fibers=left" \
+  --set "supports/held/at=start" --set "supports/pulled/at=end" -- \
+  "'supports/names'" "'held, pulled'" "'right' is not"
+rejects two_fibers.prm --set "supports/pulled/fibers=all" -- \
+  "'supports/pulled/displacement'" "'t; 0; free'" "free where" "'held'"
+rejects two_fibers.prm --set "fibers/right/radius=0.03" -- \
+  "'interactions/adhesion/force minimum'" "-0.1" "'prefactors'"
+rejects two_fibers.prm --set "coordinates=x, y, z" \
+  --set "fibers/left/centerline=sin(s); cos(s); 0" -- \
+  "'fibers/left/centerline'" "curved" "straight"
+rejects two_fibers.prm --set "fibers/left/centerline=0; cos(s); sin(s)" -- \
+  "'fibers/left/centerline'" "curved out of the plane" "in the plane"
+with_prefactors() {
+  rejects two_fibers.prm --set "interactions/adhesion/equilibrium gap=0" \
+    --set "interactions/adhesion/force minimum=0" \
+    --set "interactions/adhesion/prefactors=$1" \
+    --set "interactions/adhesion/exponents=$2" \
+    --set "interactions/adhesion/law=$3" -- "${@:4}"
+}
+with_prefactors "" "6, 12" disk-disk "'interactions/adhesion/prefactors'" "''" \
+  "'equilibrium gap' and 'force minimum'"
+with_prefactors "-1" "6, 12" disk-disk "'interactions/adhesion/prefactors'" \
+  "'-1'" "as many as there are exponents, 2"
+with_prefactors "-1" 3 disk-disk "'interactions/adhesion/exponents'" "'3'" \
+  "at least 4 for the law 'disk-disk'"
+with_prefactors "-1" 4 disk-cylinder "'interactions/adhesion/exponents'" \
+  "'4'" "at least 5 for the law 'disk-cylinder'"
+
+# Where nothing can be written: below a file, and in the place of one.
+for directory in /dev/null/x two_fibers.prm/x two_fibers.prm; do
+  rejects two_fibers.prm --output "$directory" -- \
+    "'output/directory'" "'$directory'" "a directory that can be written"
+done
+
+# What cannot be read, and what the line of the file is.
+while IFS='|' read -r text fragment; do
+  { cat "$here/two_fibers.prm" && printf '%b' "$text"; } >bad.prm
+  rejects bad.prm -- "Line <$(wc -l <bad.prm)> of file <bad.prm" "$fragment" \
+    "--print-parameters"
+done <<'END'
+set radius = 1\n|No entry with name <radius>
+subsection fibers\nsubsection left\nset radis = 1\n|No entry with name <radis>
+subsection fibrs\n|no such subsection to be entered: fibrs
+subsection fibers\nsubsection lft\n|no such subsection to be entered: fibers.lft
+end\n|no subsection to leave
+left = 1\n|<left = 1> could not be parsed
+include nowhere.prm\n|<nowhere.prm> cannot be opened
+END
+{
+  cat "$here/two_fibers.prm"
+  printf 'subsection fibers\nsubsection left\nset radius = thin\nend\nend\n'
+} >bad.prm
+rejects bad.prm -- "bad.prm" thin radius "Double 0"
+{ cat "$here/two_fibers.prm" && echo "subsection newton"; } >bad.prm
+rejects bad.prm -- "subsection" "<bad.prm>"
+
+# The command line.
+rejects -- "no scene" --help
+: >empty.prm
+rejects empty.prm -- "'empty.prm' cannot be read"
+rejects missing.prm -- "'missing.prm' cannot be read"
+rejects . -- "'.' cannot be read"
+rejects two_fibers.prm empty.prm -- "'two_fibers.prm'" "'empty.prm'"
+rejects two_fibers.prm --verbose -- "'--verbose'" "allowed are --set"
+rejects two_fibers.prm --set -- "'--set' needs a value"
+rejects two_fibers.prm --output -- "'--output' needs a value"
+rejects two_fibers.prm --set "title" -- "'title'" "section/name=value"
+rejects two_fibers.prm --set "titel=x" -- "'titel'" "'x'" --print-parameters
+rejects two_fibers.prm --set "fibers/left/radis=1" -- \
+  "'fibers/left/radis'" "'1'" --print-parameters
+rejects two_fibers.prm --set "fibers/lft/radius=1" -- \
+  "'fibers/lft/radius'" "'1'" --print-parameters
+
+finish
