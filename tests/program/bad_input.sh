@@ -23,9 +23,9 @@ CELL_TYPES 3
 END
 echo "no mesh" >no_mesh.msh
 
-# The default output directory of the scene, with results.
-mkdir -p output/two_fibers
-echo "an earlier result" >output/two_fibers/statistics.txt
+# The output directory of the scene, with results.
+mkdir -p results
+echo "an earlier result" >results/statistics.txt
 
 # rejects ARGUMENTS... -- FRAGMENTS...
 rejects() {
@@ -58,8 +58,6 @@ coordinates||at least one of x, y, z
 coordinates|x, w|x|y|z
 constants|l|a list 'name = value, ...'
 constants|s = 3, g_eq = 1|other than s, t, i, j, k, pi
-fibers/names||at least one name
-fibers/names|left, all|different names
 fibers/left/radius|-1|Double 0
 fibers/left/radius|0|positive
 fibers/left/radius|thin|Double 0
@@ -113,7 +111,7 @@ output/interval|-1|Double 0
 output/subdivisions|0|1...
 END
 
-# One of several formulas is wrong: the message shows that one.
+# One of several formulas or names is wrong: the message shows that one.
 while IFS='|' read -r parameter value shown allowed; do
   [[ -z $parameter ]] ||
     rejects two_fibers.prm --set "$parameter=$value" -- \
@@ -122,6 +120,8 @@ done <<'END'
 constants|g_eq = 1, R = 2*q|2*q|g_eq, pi
 constants|2x = 1, g_eq = 1|1|a formula
 fibers/left/centerline|0; s + q; 0|s + q|s, g_eq, i, j, k, l, pi
+fibers/names|left, all|all|different names
+supports/names|held, held|held|different names
 fibers/left/centerline|0; s; sin(|sin(|a formula
 fibers/left/centerline|0; log(-1 - s); 0|log(-1 - s)|finite
 supports/held/displacement|0; q*t; 0|q*t|t, g_eq, i, j, k, l, pi
@@ -164,8 +164,8 @@ with_prefactors "-1" "6, 12" disk-disk "'interactions/adhesion/prefactors'" \
   "'-1'" "as many as there are exponents, 2"
 with_prefactors "-1" 3 disk-disk "'interactions/adhesion/exponents'" "'3'" \
   "at least 4 for the law 'disk-disk'"
-with_prefactors "-1" 4 disk-cylinder "'interactions/adhesion/exponents'" \
-  "'4'" "at least 5 for the law 'disk-cylinder'"
+with_prefactors "-1" 5 disk-cylinder "'interactions/adhesion/exponents'" \
+  "'5'" "at least 6 for the law 'disk-cylinder'"
 
 # Where nothing can be written: below a file, and in the place of one.
 for directory in /dev/null/x two_fibers.prm/x two_fibers.prm; do
@@ -173,27 +173,28 @@ for directory in /dev/null/x two_fibers.prm/x two_fibers.prm; do
     "'output/directory'" "'$directory'" "a directory that can be written"
 done
 
-# What cannot be read, and what the line of the file is.
-while IFS='|' read -r text fragment; do
-  { cat "$here/two_fibers.prm" && printf '%b' "$text"; } >bad.prm
-  rejects bad.prm -- "Line <$(wc -l <bad.prm)> of file <bad.prm" "$fragment" \
-    "--print-parameters"
+# What cannot be read in the file: the message tells the line, here counted from
+# the end of the scene that is right.
+n_lines=$(wc -l <two_fibers.prm)
+while IFS='|' read -r line text fragment allowed; do
+  { cat two_fibers.prm && printf '%b' "$text"; } >bad.prm
+  rejects bad.prm -- "Line <$((n_lines + line))> of file <bad.prm" \
+    "$fragment" "$allowed"
 done <<'END'
-set radius = 1\n|No entry with name <radius>
-subsection fibers\nsubsection left\nset radis = 1\n|No entry with name <radis>
-subsection fibrs\n|no such subsection to be entered: fibrs
-subsection fibers\nsubsection lft\n|no such subsection to be entered: fibers.lft
-end\n|no subsection to leave
-left = 1\n|<left = 1> could not be parsed
-include nowhere.prm\n|<nowhere.prm> cannot be opened
+1|set radius = 1\n|No entry with name <radius>|--print-parameters
+3|subsection fibers\nsubsection left\nset radis = 1\nend\nend\n|<radis>|--print-parameters
+3|subsection fibers\nsubsection left\nset radius = -1\nend\nend\n|-1 for the entry named radius|Double 0
+3|subsection fibers\nsubsection left\nset radius = thin\nend\nend\n|thin for the entry named radius|Double 0
+1|subsection fibrs\nend\n|no such subsection to be entered: fibrs|--print-parameters
+2|subsection fibers\nsubsection lft\nend\nend\n|entered: fibers.lft|'names' list
+1|end\n|no subsection to leave|--print-parameters
+1|left = 1\n|<left = 1> could not be parsed|'set'
+1|include nowhere.prm\n|<nowhere.prm> cannot be opened|--print-parameters
 END
-{
-  cat "$here/two_fibers.prm"
-  printf 'subsection fibers\nsubsection left\nset radius = thin\nend\nend\n'
-} >bad.prm
-rejects bad.prm -- "bad.prm" thin radius "Double 0"
-{ cat "$here/two_fibers.prm" && echo "subsection newton"; } >bad.prm
-rejects bad.prm -- "subsection" "<bad.prm>"
+{ cat two_fibers.prm && echo "subsection newton"; } >bad.prm
+rejects bad.prm -- "'subsection' and 'end'" "<bad.prm>"
+echo "# nothing" >bad.prm
+rejects bad.prm -- "'fibers/names'" "''" "at least one name"
 
 # The command line.
 rejects -- "no scene" --help

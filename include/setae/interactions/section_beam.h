@@ -112,10 +112,9 @@ namespace Setae
     }
 
     /**
-     * The energy of one site on any number type, from coefficients of that
-     * type:
-     * the reference for the derivatives. @p x is a converged closest point; two
-     * Newton steps on the number type give it its first and second derivatives.
+     * The energy of one site on any number type, the reference for the
+     * derivatives. @p projection is a converged closest point; two Newton steps
+     * on the number type give it its first and second derivatives.
      */
     template <typename Number>
     Number
