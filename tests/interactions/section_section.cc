@@ -378,6 +378,24 @@ TEST(SectionSection, ReportsOverlapThatTheLawDoesNotAdmit)
 
 
 
+TEST(SectionSection, ReportsContactToTheLastDigit)
+{
+  const LennardJones  interaction = lennard_jones({}, {.25, .25, 1., 1.});
+  const Tensor<1, 3>  e({1., 0., 0.}), f({0., .5, 0.});
+  const HermiteCell<> source = {{{Tensor<1, 3>(), e, e, e}}, 1.},
+                      target = {{{f, e, f + e, e}}, 1.};
+  LocalSystem<24> local;
+  EXPECT_EQ(interaction.add(site_at(source, .5),
+                            {site_at(target, .5)},
+                            factor,
+                            Request::tangent,
+                            local),
+            0.);
+  expect_zero(local);
+}
+
+
+
 TEST(SectionSection, ReportsForcesForOutput)
 {
   std::mt19937          random(9);
