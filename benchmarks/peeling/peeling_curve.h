@@ -6,16 +6,14 @@
 
 #include <setae/fiber_problem.h>
 
-#include <deal.II/base/timer.h>
-
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
-#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
+
+#include "../program_sections.h"
 
 namespace Setae
 {
@@ -37,6 +35,55 @@ namespace Setae
 
 
 
+    /** Both fibers with @p n cells. */
+    inline Overrides
+    cells(const unsigned int n)
+    {
+      return {"fibers/left/cells=" + std::to_string(n),
+              "fibers/right/cells=" + std::to_string(n)};
+    }
+
+    /** The quadrature of a cell. */
+    inline Overrides
+    integration(const unsigned int n_segments, const unsigned int n_gauss_points)
+    {
+      return {"interactions/adhesion/integration segments=" +
+                std::to_string(n_segments),
+              "interactions/adhesion/gauss points=" +
+                std::to_string(n_gauss_points)};
+    }
+
+    /**
+     * The interaction of SBIP Fig. 11: a point potential with the prefactors
+     * @p k6 and @p k12 in the law @p law, and the fibers initially at a gap close
+     * to its equilibrium.
+     */
+    inline Overrides
+    point_potential(const std::string &law, const double k6, const double k12)
+    {
+      // Two cylinders: SBIP eq. 31 with the constant corrected. Two lines of
+      // disks with the law of the power 7/2 - m: as the gap closes the integral
+      // over one line adds 1/2 to the power, and -8 c_12' / g^9 = 2 c_6' / g^3.
+      const double equilibrium =
+        law == "disk-disk" ? std::pow(7. / 80. * k12 / -k6, 1. / 6.) :
+                             .64170 * std::pow(k12 / -k6, 1. / 6.);
+      const auto number = [](const double value) {
+        std::ostringstream text;
+        text.precision(10);
+        text << value;
+        return text.str();
+      };
+      const std::string path = "interactions/adhesion/";
+      return {path + "law=" + law,
+              path + "equilibrium gap=0",
+              path + "force minimum=0",
+              path + "prefactors=" + number(k6) + "," + number(k12),
+              path + "regularization gap=" + number(.7 * equilibrium),
+              "constants=l=5, R=0.02, g_eq=" + number(equilibrium)};
+    }
+
+
+
     /** One equilibrium of the curve. */
     struct Point
     {
@@ -46,21 +93,6 @@ namespace Setae
       double energy;  ///< strain and interaction [energy]
       double middle_gap;
       bool   is_snap;
-    };
-
-
-
-    /** What the clocks of the program say about one part of it. */
-    struct Section
-    {
-      double       cpu_time = 0.; ///< [s]
-      unsigned int n_calls  = 0;
-
-      double
-      per_call() const
-      {
-        return cpu_time / n_calls;
-      }
     };
 
 
@@ -76,9 +108,9 @@ namespace Setae
     /** A whole run. */
     struct Curve
     {
-      std::vector<Point>             points; ///< all load steps
-      RunSummary                     summary;
-      std::map<std::string, Section> sections;
+      std::vector<Point> points; ///< all load steps
+      RunSummary         summary;
+      ProgramSections    sections;
 
       /** How many points there are before the fibers snap apart. */
       std::size_t
@@ -135,33 +167,6 @@ namespace Setae
 
 
 
-    inline std::string
-    read_file(const std::string &name)
-    {
-      std::ifstream stream(name);
-      AssertThrow(stream.good(), dealii::ExcFileNotOpen(name));
-      std::ostringstream text;
-      text << stream.rdbuf();
-      return text.str();
-    }
-
-
-
-    inline std::map<std::string, Section>
-    sections(const dealii::TimerOutput &timer)
-    {
-      std::map<std::string, Section> result;
-      for (const auto &[name, seconds] :
-           timer.get_summary_data(dealii::TimerOutput::total_cpu_time))
-        result[name].cpu_time = seconds;
-      for (const auto &[name, n] :
-           timer.get_summary_data(dealii::TimerOutput::n_calls))
-        result[name].n_calls = static_cast<unsigned int>(n);
-      return result;
-    }
-
-
-
     /**
      * Run a scene with two fibers, the second of which is pulled in x by a
      * support called 'right'.
@@ -203,7 +208,7 @@ namespace Setae
                                 gap(state, .5 * length),
                                 record.is_snap});
       });
-      curve.sections = sections(problem.timer_output());
+      curve.sections = program_sections(problem.timer_output());
       return curve;
     }
 
