@@ -308,7 +308,7 @@ namespace Setae
     scene.loads        = named<LoadParameters>({"NAME"});
     scene.interactions = named<InteractionParameters>({"NAME"});
 
-    Names            names;
+    Names            names = {{"NAME"}, {"NAME"}, {"NAME"}, {"NAME"}};
     ParameterHandler prm;
     add_parameters(prm, scene, names);
     std::ostringstream text;

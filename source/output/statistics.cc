@@ -40,8 +40,8 @@ namespace Setae
           }
     for (const LoadReport &load : record.loads)
       for (unsigned int c = 0; c < 3; ++c)
-        add_number(std::string("displacement ") + axes[c] + " (" + load.name +
-                     ")",
+        add_number(std::string("point displacement ") + axes[c] + " (" +
+                     load.name + ")",
                    load.displacement[c]);
     for (unsigned int i = 0; i < term_names.size(); ++i)
       add_number(term_names[i] + " energy", record.evaluation.energies[i]);

@@ -52,7 +52,7 @@ run_on() {
 }
 
 # Every file with its size and time.
-listing() { find . -printf '%p %s %T@\n' | sort; }
+listing() { find . -mindepth 1 -printf '%p %s %T@\n' | sort; }
 
 n_lines_on_stderr() { wc -l <"$captured/err"; }
 on_stderr() { grep -qF -e "$1" "$captured/err"; }

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 The Setae authors
+
+#include <setae/solvers/load_stepping.h>
+
+#include <gtest/gtest.h>
+
+using namespace Setae;
+
+namespace
+{
+  LoadSteppingParameters
+  parameters()
+  {
+    LoadSteppingParameters result;
+    result.first_step    = .1;
+    result.smallest_step = 1e-3;
+    return result;
+  }
+} // namespace
+
+
+
+TEST(LoadStepping, EndsExactlyAtTheEndTime)
+{
+  LoadStepping steps(parameters(), {});
+  while (!steps.is_finished())
+    steps.accept(5);
+  EXPECT_EQ(steps.time(), 1.);
+}
+
+
+
+TEST(LoadStepping, GrowsAfterEasyStepsAndShrinksAfterHardOnes)
+{
+  LoadStepping easy(parameters(), {}), hard(parameters(), {});
+  easy.accept(4);
+  hard.accept(28);
+  EXPECT_GT(easy.step_size(), .1);
+  EXPECT_LT(hard.step_size(), .1);
+}
+
+
+
+TEST(LoadStepping, StaysBelowTheLargestStepOfItsFormula)
+{
+  LoadSteppingParameters p = parameters();
+  p.largest_step           = "if(t < 0.5, a, 1)";
+  LoadStepping steps(p, {{"a", .02}});
+  while (steps.time() < .5)
+    {
+      EXPECT_LE(steps.step_size(), .02 * (1. + 1e-12));
+      steps.accept(1);
+    }
+  EXPECT_GT(steps.step_size(), .02);
+}
+
+
+
+TEST(LoadStepping, ClosesInOnAPlaceThatCannotBePassed)
+{
+  constexpr double fold = .3337;
+  LoadStepping     steps(parameters(), {});
+  unsigned int     n_attempts = 0;
+  for (bool can_go_on = true; can_go_on; ++n_attempts)
+    if (steps.next_time() < fold)
+      steps.accept(5);
+    else
+      can_go_on = steps.reject();
+  EXPECT_LT(steps.time(), fold);
+  EXPECT_GT(steps.time() + 1.1e-3, fold);
+  EXPECT_LT(n_attempts, 30u);
+
+  const double time = steps.next_time();
+  steps.restart();
+  EXPECT_EQ(steps.time(), time);
+  EXPECT_DOUBLE_EQ(steps.step_size(), .1);
+}
