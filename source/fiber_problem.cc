@@ -33,6 +33,17 @@ namespace Setae
                           "interaction");
       return names;
     }
+    /** The largest distance of a node from the first one [length]. */
+    double
+    extent(const State &state)
+    {
+      double             largest = 0.;
+      const Tensor<1, 3> origin  = state.current.front().coefficients[0];
+      for (const HermiteCell<> &cell : state.current)
+        for (const unsigned int a : {0, 2})
+          largest = std::max(largest, (cell.coefficients[a] - origin).norm());
+      return largest;
+    }
   } // namespace
 
 
@@ -191,6 +202,10 @@ namespace Setae
     Vector free_residual(system.residual);
     supports.at_rest().set_zero(free_residual);
     evaluation.residual_norm = free_residual.l2_norm();
+
+    // Stiffness times the round-off of a coordinate.
+    evaluation.round_off = std::numeric_limits<double>::epsilon() *
+                           system.tangent_matrix.linfty_norm() * extent(state);
   }
 
 

@@ -287,7 +287,8 @@ namespace Setae
   {
     prm.add_parameter("residual tolerance",
                       residual_tolerance,
-                      "Largest Euclidean norm of the residual.",
+                      "Largest Euclidean norm of the residual [force]; where "
+                      "round-off of stiff fibers leaves more, that counts.",
                       non_negative());
     prm.add_parameter("increment tolerance",
                       increment_tolerance,

@@ -35,6 +35,11 @@ namespace Setae
     double       reference_norm      = std::numeric_limits<double>::infinity();
     unsigned int reference_iteration = 0;
 
+    // In stiff fibers, round-off may keep the residual above its tolerance.
+    const auto tolerance = [this](const Evaluation &evaluation) {
+      return std::max(parameters.residual_tolerance, evaluation.round_off);
+    };
+
     SolverResult result;
     Vector       current(solution), increment(solution), trial(solution);
     Evaluation   state =
@@ -69,7 +74,7 @@ namespace Setae
             next = system.evaluate(trial, time, SupportIncrement::at_rest);
             const bool decreases =
               next.residual_norm <= (1. - 1e-4 * factor) * largest_norm ||
-              next.residual_norm < parameters.residual_tolerance;
+              next.residual_norm < tolerance(next);
             if (next.is_valid && (is_predictor || decreases))
               break;
             if (is_predictor || halvings == max_n_halvings)
@@ -92,7 +97,7 @@ namespace Setae
           }
         const bool is_stalled =
           result.n_iterations - reference_iteration >= patience &&
-          state.residual_norm > parameters.residual_tolerance;
+          state.residual_norm > tolerance(state);
 
         const double increment_norm = factor * increment.l2_norm();
         log({result.n_iterations,
@@ -100,7 +105,7 @@ namespace Setae
              increment_norm,
              factor,
              state.gaps.smallest});
-        if (state.residual_norm < parameters.residual_tolerance &&
+        if (state.residual_norm < tolerance(state) &&
             increment_norm < parameters.increment_tolerance)
           {
             result.evaluation = state;

@@ -59,7 +59,8 @@ namespace Setae
         state       = step.evaluation;
         upper_bound = state.energy + 1e-12 * std::abs(state.energy);
         step_size *= growth;
-        if (state.residual_norm < parameters.residual_tolerance &&
+        if (state.residual_norm <
+              std::max(parameters.residual_tolerance, state.round_off) &&
             step.increment_norm < parameters.increment_tolerance)
           {
             result.evaluation = state;

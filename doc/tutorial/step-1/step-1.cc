@@ -29,12 +29,12 @@
 // knows of the other: the element belongs to the mesh, the strain energy is a
 // function of the twelve coefficients of one cell.
 
-#include <setae/beams/torsion_free_kirchhoff.h>
-#include <setae/fe/fe_hermite.h>
-
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_2.hpp>
 #include <boost/math/tools/roots.hpp>
+
+#include <setae/beams/torsion_free_kirchhoff.h>
+#include <setae/fe/fe_hermite.h>
 
 #include <cmath>
 #include <iomanip>
@@ -77,17 +77,20 @@ namespace Step1
     const auto excess_length = [&](const double k) {
       return ellint_1(k) - ellint_1(k, lower_end(k)) - a;
     };
-    const auto bracket = boost::math::tools::bisect(
-      excess_length,
-      std::sqrt(.5) * (1. + 1e-14),
-      1. - 1e-14,
-      [](const double x, const double y) { return std::abs(x - y) < 1e-15; });
+    const auto bracket =
+      boost::math::tools::bisect(excess_length,
+                                 std::sqrt(.5) * (1. + 1e-14),
+                                 1. - 1e-14,
+                                 [](const double x, const double y) {
+                                   return std::abs(x - y) < 1e-15;
+                                 });
     const double k = .5 * (bracket.first + bracket.second);
 
     const double sin_tip = 2. * k * k - 1.;
     Tensor<1, 3> tip;
     tip[0] = std::sqrt(2. * sin_tip) / a * length - length;
-    tip[1] = -(1. - 2. / a * (ellint_2(k) - ellint_2(k, lower_end(k)))) * length;
+    tip[1] =
+      -(1. - 2. / a * (ellint_2(k) - ellint_2(k, lower_end(k)))) * length;
     return tip;
   }
 
@@ -209,7 +212,7 @@ namespace Step1
         initial.h = current.h = FE_Hermite<1, 3>::length_scale(cell);
         for (unsigned int v = 0; v < 2; ++v)
           {
-            initial.coefficients[2 * v] = Tensor<1, 3>(cell->vertex(v));
+            initial.coefficients[2 * v]        = Tensor<1, 3>(cell->vertex(v));
             initial.coefficients[2 * v + 1][0] = 1.;
           }
         cell->get_dof_indices(dofs);

@@ -38,7 +38,7 @@ int
 main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  const bool is_first =
+  const bool                               is_first =
     dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
   if (argc < 2)
     {
@@ -68,13 +68,12 @@ main(int argc, char **argv)
       // writes no files.
       FiberProblem            problem(scene, MPI_COMM_WORLD, std::cout);
       std::vector<CurvePoint> curve;
-      const RunSummary        summary =
-        problem.run([&](const StepRecord &record) {
-          for (const SupportReport &support : record.supports)
-            if (support.name == "right")
-              curve.push_back(
-                {support.displacement[0] + g_eq, support.reaction[0]});
-        });
+      const RunSummary summary = problem.run([&](const StepRecord &record) {
+        for (const SupportReport &support : record.supports)
+          if (support.name == "right")
+            curve.push_back(
+              {support.displacement[0] + g_eq, support.reaction[0]});
+      });
 
       if (!is_first)
         return 0;

@@ -19,6 +19,10 @@ namespace Setae
   {
     double              residual_norm = 0.; ///< of the free unknowns [force]
     double              energy        = 0.; ///< the sum [energy]
+
+    /** What round-off leaves in the residual, however small it is [force]. */
+    double round_off = 0.;
+
     std::vector<double> energies;           ///< of each term [energy]
     GapReport           gaps;
 
