@@ -12,7 +12,6 @@
 #include <setae/search/neighbor_list.h>
 
 #include <map>
-#include <type_traits>
 
 namespace Setae
 {
@@ -20,14 +19,24 @@ namespace Setae
 
   namespace
   {
-    /**
-     * A law of gap and angle goes with a projection, a law of the gap alone
-     * with a double integral.
-     */
+    /** The loop over points that evaluates laws of the given invariants. */
+    template <Invariants, typename Law>
+    struct KernelOf;
+
     template <typename Law>
-    using Kernel = std::conditional_t<std::is_invocable_v<Law, double, double>,
-                                      SectionBeam<Law>,
-                                      SectionSection<Law>>;
+    struct KernelOf<Invariants::gap, Law>
+    {
+      using type = SectionSection<Law>;
+    };
+
+    template <typename Law>
+    struct KernelOf<Invariants::gap_angle, Law>
+    {
+      using type = SectionBeam<Law>;
+    };
+
+    template <typename Law>
+    using Kernel = typename KernelOf<Law::depends_on, Law>::type;
 
     SectionPair
     section_pair(const FiberParameters &source, const FiberParameters &target)
@@ -252,7 +261,8 @@ namespace Setae
 
     private:
       static constexpr bool is_projected =
-        std::is_same_v<Kernel<Law>, SectionBeam<Law>>;
+        Law::depends_on == Invariants::gap_angle ||
+        Law::depends_on == Invariants::gap_angle_tilt;
 
       /** @return The largest reach of all pairs of sections [length]. */
       double

@@ -4,6 +4,7 @@
 #ifndef setae_laws_disk_cylinder_h
 #define setae_laws_disk_cylinder_h
 
+#include <setae/base/invariants.h>
 #include <setae/laws/point_potential.h>
 #include <setae/laws/short_range.h>
 
@@ -24,6 +25,7 @@ namespace Setae
   {
   public:
     static constexpr const char  *name              = "disk-cylinder";
+    static constexpr Invariants   depends_on        = Invariants::gap_angle;
     static constexpr unsigned int smallest_exponent = 6;
 
     static std::string

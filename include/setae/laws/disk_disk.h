@@ -4,6 +4,7 @@
 #ifndef setae_laws_disk_disk_h
 #define setae_laws_disk_disk_h
 
+#include <setae/base/invariants.h>
 #include <setae/laws/point_potential.h>
 #include <setae/laws/short_range.h>
 
@@ -22,7 +23,8 @@ namespace Setae
   class DiskDisk
   {
   public:
-    static constexpr const char *name = "disk-disk";
+    static constexpr const char *name       = "disk-disk";
+    static constexpr Invariants  depends_on = Invariants::gap;
 
     /** Smallest exponent of the point potential for which the law exists. */
     static constexpr unsigned int smallest_exponent = 4;
