@@ -15,6 +15,10 @@ captured=$(mktemp -d)
 trap 'rm -rf "$work" "$captured"' EXIT
 cd "$work" || exit 1
 
+# Two programs that start at the same time may both want to create the folder
+# that Open MPI keeps for all sessions of a user, of which one fails.
+export OMPI_MCA_orte_tmpdir_base=$captured
+
 n_checks=0
 n_failures=0
 
