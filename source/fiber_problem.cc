@@ -361,7 +361,7 @@ namespace Setae
   FiberProblem::state() const
   {
     everywhere = solution;
-    return fibers.state(everywhere, 0.);
+    return fibers.state(everywhere, time);
   }
 
 
@@ -420,6 +420,7 @@ namespace Setae
   void
   FiberProblem::complete(StepRecord &record, const SolverResult &result)
   {
+    time                    = record.time;
     record.step             = summary.n_steps;
     record.evaluation       = result.evaluation;
     record.n_iterations     = result.n_iterations;
@@ -493,7 +494,6 @@ namespace Setae
   FiberProblem::output_results(const StepRecord &record, ResultFiles &files)
   {
     TimerOutput::Scope section(timer, "output");
-    everywhere = solution;
-    files.add(record, fibers.state(everywhere, record.time), *strain, terms);
+    files.add(record, state(), *strain, terms);
   }
 } // namespace Setae

@@ -158,6 +158,7 @@ namespace Setae
 
     dealii::IndexSet                  all_dofs;
     Vector                            solution;
+    double                            time = 0.;  ///< of the solution
     mutable Vector                    everywhere; ///< solution, on all ranks
     dealii::AffineConstraints<double> increment_constraints;
     bool                              increment_at_rest = true;

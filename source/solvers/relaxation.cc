@@ -64,8 +64,10 @@ namespace Setae
             step.increment_norm < parameters.increment_tolerance)
           {
             result.evaluation = state;
-            result.converged  = true;
-            solution          = current;
+            result.converged  = state.is_admissible;
+            result.reason     = state.reason;
+            if (result.converged)
+              solution = current;
             return result;
           }
       }
@@ -103,7 +105,9 @@ namespace Setae
         step.increment_norm = increment.l2_norm();
         step.evaluation =
           system.evaluate(current, time, SupportIncrement::at_rest);
-        if (!step.evaluation.is_admissible)
+        // Where fibers swing, one may press on the other for a while, more than
+        // any equilibrium would: only its end has to be admissible.
+        if (!step.evaluation.is_valid || step.evaluation.gaps.smallest <= 0.)
           return step;
         step.succeeded = step.evaluation.energy <= upper_bound;
         log({result.n_iterations,

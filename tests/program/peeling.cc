@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 The Setae authors
 
-#include "run_scene.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "run_scene.h"
+
 using namespace Setae;
 
 namespace
 {
-  // The load at midspan that deflects a simply supported fiber, one end sliding,
-  // by a quarter of its length: 1.364 times the 12 EI/l^2 of linear theory.
-  const double force_unit = 1.364 * 12. * (1e5 * M_PI / 4. * 1.6e-7) / 25.;
+  // The load at midspan that deflects a simply supported fiber, one end
+  // sliding, by a quarter of its length: 1.364 times the 12 EI/l^2 of linear
+  // theory.
+  const double force_unit  = 1.364 * 12. * (1e5 * M_PI / 4. * 1.6e-7) / 25.;
   const double initial_gap = 1e-3, length = 5.;
 
   /** Force of the right support, the last one but one. */
@@ -59,14 +60,30 @@ TEST(Peeling, ReproducesForcePeakAndPullOff)
 
 
 
+// When the last bond lets go, the right fiber swings about its lower end, which
+// is pressed against the left one while it does.
+TEST(Peeling, FromOneEndOnlyGoesOnToTheEndOfTheLoad)
+{
+  SceneRun scene("peeling", {"supports/right/at=end"});
+  scene.run();
+  EXPECT_EQ(scene.summary.n_snaps, 1u);
+  EXPECT_GE(scene.summary.smallest_gap, 8e-4);
+  EXPECT_EQ(scene.records.back().time, .6);
+
+  // Straight again, turned about the end that still touches.
+  EXPECT_LT(scene.records.back().evaluation.energies[0], 1e-8);
+}
+
+
+
 TEST(Peeling, DoesNotDependOnTheSourceSide)
 {
   const std::string end = "load stepping/end time=0.02";
   SceneRun          scene("peeling", {end});
   SceneRun          swapped("peeling",
                    {end,
-                    "interactions/adhesion/source=right",
-                    "interactions/adhesion/target=left"});
+                             "interactions/adhesion/source=right",
+                             "interactions/adhesion/target=left"});
   scene.run();
   swapped.run();
   ASSERT_EQ(scene.records.size(), swapped.records.size());
@@ -93,7 +110,8 @@ TEST(Peeling, ReactionsAreInEquilibrium)
 TEST(Peeling, ConvergesQuadratically)
 {
   SceneRun scene("peeling",
-                 {"load stepping/end time=0.002", "newton/log iterations=true"});
+                 {"load stepping/end time=0.002",
+                  "newton/log iterations=true"});
   scene.run();
 
   // The norms of the increments of the last load step, from the log.
