@@ -230,7 +230,7 @@ namespace Setae
         evaluation.gaps.see(gaps);
 
         const double limit = term->smallest_admissible_gap();
-        if (gaps.smallest <= 0. && !(limit > 0.))
+        if (gaps.smallest <= term->singular_gap())
           evaluation.is_valid = false;
         if (gaps.smallest < limit || !evaluation.is_valid)
           {

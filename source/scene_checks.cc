@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <sstream>
+#include <type_traits>
 
 namespace Setae
 {
@@ -98,11 +99,33 @@ namespace Setae
     }
 
     void
-    check_interaction(const InteractionParameters &interaction)
+    check_contact(const InteractionParameters &interaction)
     {
       const std::string path = "interactions/" + interaction.name + "/";
-      const bool        has_prefactors = !interaction.prefactors.empty();
-      const bool        has_cylinder_data =
+      require(interaction.penalty > 0.,
+              path + "penalty",
+              interaction.penalty,
+              "positive for the law '" + interaction.law + "'");
+      require(interaction.prefactors.empty(),
+              path + "prefactors",
+              list(interaction.prefactors),
+              "empty for the law '" + interaction.law + "'");
+      require(interaction.cutoff == 0.,
+              path + "cutoff",
+              interaction.cutoff,
+              "0 for the law '" + interaction.law + "'");
+    }
+
+    void
+    check_potential(const InteractionParameters &interaction)
+    {
+      const std::string path = "interactions/" + interaction.name + "/";
+      require(interaction.penalty == 0.,
+              path + "penalty",
+              interaction.penalty,
+              "0 but for the law '" + std::string(PenaltyContact::name) + "'");
+      const bool has_prefactors = !interaction.prefactors.empty();
+      const bool has_cylinder_data =
         interaction.equilibrium_gap != 0. || interaction.force_minimum != 0.;
       require(has_prefactors != has_cylinder_data,
               path + "prefactors",
@@ -130,31 +153,73 @@ namespace Setae
                   list(interaction.exponents),
                   "6, 12 with an equilibrium gap");
         }
-      Laws::dispatch(interaction.law, [&](auto tag) {
-        constexpr unsigned int smallest =
-          decltype(tag)::type::smallest_exponent;
-        for (const unsigned int m : interaction.exponents)
-          require(m >= smallest,
-                  path + "exponents",
-                  m,
-                  "at least " + std::to_string(smallest) + " for the law '" +
-                    interaction.law + "'");
-      });
-      require(interaction.cutoff > 0.,
+    }
+
+    void
+    check_range(const InteractionParameters &interaction,
+                const unsigned int           smallest_exponent,
+                const bool                   is_long_range)
+    {
+      const std::string path    = "interactions/" + interaction.name + "/";
+      const std::string for_law = " for the law '" + interaction.law + "'";
+      for (const unsigned int m : interaction.exponents)
+        require(m >= smallest_exponent,
+                path + "exponents",
+                m,
+                "at least " + std::to_string(smallest_exponent) + for_law);
+      require(is_long_range || interaction.distribution == "volume",
+              path + "distribution",
+              interaction.distribution,
+              "volume" + for_law);
+      require(is_long_range || interaction.cutoff > 0.,
               path + "cutoff",
               interaction.cutoff,
-              "positive");
+              "positive" + for_law);
+      require(!is_long_range || interaction.regularization == 0.,
+              path + "regularization gap",
+              interaction.regularization,
+              "0" + for_law + ", which needs none");
       require(interaction.switch_width > 0. && interaction.switch_width <= 1.,
               path + "switch width",
               interaction.switch_width,
               "above 0 and at most 1");
-      require(interaction.regularization <
-                (1. - interaction.switch_width) * interaction.cutoff,
+      require(is_long_range ||
+                interaction.regularization <
+                  (1. - interaction.switch_width) * interaction.cutoff,
               path + "regularization gap",
               interaction.regularization,
               "below the gap from which on the cutoff acts");
     }
+
+    void
+    check_interaction(const InteractionParameters &interaction)
+    {
+      Laws::dispatch(interaction.law, [&](auto tag) {
+        using Law = typename decltype(tag)::type;
+        if constexpr (std::is_same_v<Law, PenaltyContact>)
+          check_contact(interaction);
+        else
+          {
+            check_potential(interaction);
+            check_range(interaction,
+                        Law::smallest_exponent,
+                        Law::is_long_range);
+          }
+      });
+    }
   } // namespace
+
+
+
+  bool
+  Scene::has_contact() const
+  {
+    return std::any_of(interactions.begin(),
+                       interactions.end(),
+                       [](const InteractionParameters &interaction) {
+                         return interaction.law == PenaltyContact::name;
+                       });
+  }
 
 
 

@@ -91,6 +91,12 @@ namespace Setae
                       "Points of the interaction potential per volume "
                       "[1/length^3].",
                       non_negative());
+    prm.add_parameter("surface density",
+                      surface_density,
+                      "Points of the interaction potential per area of the "
+                      "lateral surface, or their charge, of either sign "
+                      "[1/length^2].",
+                      Patterns::Double());
     beam = TorsionFreeKirchhoff::name;
     prm.add_parameter("beam",
                       beam,
@@ -199,6 +205,24 @@ namespace Setae
       prefactors,
       "The prefactors k_m [energy length^m]; negative attracts.",
       Patterns::List(Patterns::Double(), 0));
+    prm.add_parameter(
+      "distribution",
+      distribution,
+      "Whether the points are in the volume of the fibers, with "
+      "their number density, or on their surface, with their "
+      "surface density; the laws for small gaps know the volume "
+      "only.",
+      Patterns::Selection("volume|surface"));
+    prm.add_parameter("strength",
+                      strength,
+                      "A factor of the interaction, a formula of the time t: "
+                      "'min(1, t/0.1)' switches it on gradually.",
+                      Patterns::Anything());
+    prm.add_parameter("penalty",
+                      penalty,
+                      "For contact: force per length and penetration "
+                      "[force/length^2], positive.",
+                      non_negative());
     prm.add_parameter("equilibrium gap",
                       equilibrium_gap,
                       "Instead of prefactors, for Lennard-Jones: the gap at "
@@ -212,7 +236,8 @@ namespace Setae
                       Patterns::Double(-infinity, 0.));
     prm.add_parameter("cutoff",
                       cutoff,
-                      "The gap beyond which there is no interaction [length].",
+                      "The gap beyond which there is no interaction [length]; "
+                      "0 means none, which only long-range laws allow.",
                       non_negative());
     prm.add_parameter("switch width",
                       switch_width,

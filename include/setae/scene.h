@@ -22,13 +22,14 @@ namespace Setae
     std::string               name;
     std::string               centerline = "s; 0; 0";
     std::string               mesh_file;
-    std::vector<unsigned int> copies         = {1};
-    double                    length         = 1.;
-    double                    radius         = .01;
-    double                    youngs_modulus = 1.;
-    double                    poisson_ratio  = .3;
-    unsigned int              n_cells        = 16;
-    double                    number_density = 1.;
+    std::vector<unsigned int> copies          = {1};
+    double                    length          = 1.;
+    double                    radius          = .01;
+    double                    youngs_modulus  = 1.;
+    double                    poisson_ratio   = .3;
+    unsigned int              n_cells         = 16;
+    double                    number_density  = 1.;
+    double                    surface_density = 1.;
     std::string               beam;
 
     void
@@ -79,6 +80,9 @@ namespace Setae
     unsigned int              n_excluded_neighbors = 2;
     std::vector<unsigned int> exponents            = {6, 12};
     std::vector<double>       prefactors;
+    std::string               distribution    = "volume";
+    std::string               strength        = "1";
+    double                    penalty         = 0.;
     double                    equilibrium_gap = 0.;
     double                    force_minimum   = 0.;
     double                    cutoff          = 0.;
@@ -167,6 +171,10 @@ namespace Setae
      */
     void
     check() const;
+
+    /** Whether fibers may overlap a little because a contact force acts. */
+    bool
+    has_contact() const;
 
     /** The indices 0, 1, 2 of the coordinates that are not switched off. */
     std::vector<unsigned int>

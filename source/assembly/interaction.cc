@@ -39,12 +39,21 @@ namespace Setae
     using Kernel = typename KernelOf<Law::depends_on, Law>::type;
 
     SectionPair
-    section_pair(const FiberParameters &source, const FiberParameters &target)
+    section_pair(const InteractionParameters &parameters,
+                 const FiberParameters       &source,
+                 const FiberParameters       &target)
     {
+      if (parameters.distribution == "surface")
+        return {source.radius,
+                target.radius,
+                source.surface_density,
+                target.surface_density,
+                Distribution::surface};
       return {source.radius,
               target.radius,
               source.number_density,
-              target.number_density};
+              target.number_density,
+              Distribution::volume};
     }
 
     PointPotential
@@ -60,6 +69,36 @@ namespace Setae
         potential.push_back(
           {parameters.exponents[i], parameters.prefactors[i]});
       return potential;
+    }
+
+
+
+    /** Regularization and cutoff; no cutoff if that is zero. */
+    GapRange
+    gap_range(const InteractionParameters &parameters)
+    {
+      GapRange range;
+      range.regularization = parameters.regularization;
+      if (parameters.cutoff > 0.)
+        {
+          range.cutoff_begin =
+            (1. - parameters.switch_width) * parameters.cutoff;
+          range.cutoff = parameters.cutoff;
+        }
+      return range;
+    }
+
+    template <typename Law>
+    Law
+    make_law(const InteractionParameters &parameters,
+             const SectionPair           &sections)
+    {
+      if constexpr (std::is_same_v<Law, PenaltyContact>)
+        return Law(parameters.penalty);
+      else
+        return Law(point_potential(parameters, sections),
+                   sections,
+                   gap_range(parameters));
     }
 
 
@@ -139,9 +178,12 @@ namespace Setae
         , roles(fibers, parameters)
         , rule(QIterated<1>(QGauss<1>(parameters.n_gauss_points),
                             parameters.n_segments))
-        , neighbors(make_kernels(),
-                    parameters.skin > 0. ? parameters.skin :
-                                           .5 * parameters.cutoff)
+        , strength("interactions/" + parameters.name + "/strength",
+                   parameters.strength,
+                   "t",
+                   fibers.scene.constants)
+        , reach(make_kernels())
+        , neighbors(reach, skin())
       {
         for (const unsigned int cell : fibers.owned_cells)
           if (roles.may_be_source(fibers.fiber_of_cell[cell]))
@@ -195,14 +237,16 @@ namespace Setae
                const Request request,
                GlobalSystem &system) override
       {
-        report        = {};
-        double energy = 0.;
+        report                = {};
+        double       energy   = 0.;
+        const double strength = this->strength(state.time);
         for_each_pair(
           state,
           [&](const unsigned int           source,
               const unsigned int           target,
               const std::vector<LineSite> &source_sites) {
-            if (add_pair(state, source, target, source_sites, request))
+            if (add_pair(
+                  state, source, target, source_sites, strength, request))
               {
                 local.symmetrize();
                 energy += local.energy;
@@ -221,7 +265,20 @@ namespace Setae
       double
       smallest_admissible_gap() const override
       {
+        if (is_contact)
+          return -smallest_radius;
+        if (Law::is_long_range && fibers.scene.has_contact())
+          return -std::numeric_limits<double>::infinity();
         return parameters.regularization;
+      }
+
+      double
+      singular_gap() const override
+      {
+        return is_contact || Law::is_long_range ||
+                   parameters.regularization > 0. ?
+                 -std::numeric_limits<double>::infinity() :
+                 0.;
       }
 
       void
@@ -230,14 +287,15 @@ namespace Setae
       {
         // With a double integral, several cells act on a site.
         std::map<unsigned int, std::vector<SiteForce>> sums;
+        const double strength = this->strength(state.time);
 
         for_each_pair(
           state,
           [&](const unsigned int           source,
               const unsigned int           target,
               const std::vector<LineSite> &source_sites) {
-            const HermiteCell<> &cell   = state.current[target];
-            const double         factor = roles.factor(source, target);
+            const HermiteCell<> &cell = state.current[target];
+            const double factor       = strength * roles.factor(source, target);
             if constexpr (is_projected)
               for (const LineSite &site : source_sites)
                 kernel(source, target)
@@ -264,14 +322,13 @@ namespace Setae
         Law::depends_on == Invariants::gap_angle ||
         Law::depends_on == Invariants::gap_angle_tilt;
 
+      static constexpr bool is_contact = std::is_same_v<Law, PenaltyContact>;
+
       /** @return The largest reach of all pairs of sections [length]. */
       double
       make_kernels()
       {
-        const GapRange range{parameters.regularization,
-                             (1. - parameters.switch_width) * parameters.cutoff,
-                             parameters.cutoff};
-        double         reach = 0.;
+        double reach = 0.;
         for (unsigned int s = 0; s < fibers.fibers.size(); ++s)
           for (unsigned int t = 0; t < fibers.fibers.size(); ++t)
             {
@@ -281,15 +338,17 @@ namespace Setae
                   kernels.count(key) > 0)
                 continue;
               const SectionPair sections =
-                section_pair(fibers.scene.fibers[key.first],
+                section_pair(parameters,
+                             fibers.scene.fibers[key.first],
                              fibers.scene.fibers[key.second]);
               check_equal(sections);
               const double      radii = sections.radius_1 + sections.radius_2;
-              const Kernel<Law> kernel(
-                Law(point_potential(parameters, sections), sections, range),
-                radii);
+              const Kernel<Law> kernel(make_law<Law>(parameters, sections),
+                                       radii);
               kernels.emplace(key, kernel);
-              reach = std::max(reach, kernel.reach());
+              reach           = std::max(reach, kernel.reach());
+              smallest_radius = std::min(
+                {smallest_radius, sections.radius_1, sections.radius_2});
             }
         return reach;
       }
@@ -297,7 +356,7 @@ namespace Setae
       void
       check_equal(const SectionPair &sections) const
       {
-        AssertThrow(!parameters.prefactors.empty() ||
+        AssertThrow(parameters.force_minimum == 0. ||
                       (sections.radius_1 == sections.radius_2 &&
                        sections.density_1 == sections.density_2),
                     ExcParameter("interactions/" + parameters.name +
@@ -314,6 +373,19 @@ namespace Setae
           .find({fibers.fibers[fibers.fiber_of_cell[source]].parameters,
                  fibers.fibers[fibers.fiber_of_cell[target]].parameters})
           ->second;
+      }
+
+      /** How far beyond the reach to search, if the scene does not say
+       * [length]. */
+      double
+      skin() const
+      {
+        if (parameters.skin > 0.)
+          return parameters.skin;
+        if (is_contact)
+          return smallest_radius;
+        return parameters.cutoff > 0. ? .5 * parameters.cutoff :
+                                        std::numeric_limits<double>::infinity();
       }
 
       template <typename Function>
@@ -341,11 +413,12 @@ namespace Setae
                const unsigned int           source,
                const unsigned int           target,
                const std::vector<LineSite> &source_sites,
+               const double                 strength,
                const Request                request)
       {
-        const HermiteCell<> &cell         = state.current[target];
-        const Kernel<Law>   &kernel       = this->kernel(source, target);
-        const double         factor       = roles.factor(source, target);
+        const HermiteCell<> &cell   = state.current[target];
+        const Kernel<Law>   &kernel = this->kernel(source, target);
+        const double         factor = strength * roles.factor(source, target);
         const double         reach_square = kernel.reach() * kernel.reach();
         const BoundingBox<3> box          = bounding_box(cell.control_points());
 
@@ -387,6 +460,9 @@ namespace Setae
       /** One for each pair of sections of the scene. */
       std::map<std::pair<unsigned int, unsigned int>, Kernel<Law>> kernels;
 
+      double smallest_radius = std::numeric_limits<double>::infinity();
+      const Expression          strength;
+      const double              reach; ///< largest of all kernels [length]
       NeighborList              neighbors;
       std::vector<unsigned int> sources; ///< owned
       std::vector<unsigned int> targets; ///< of all ranks

@@ -97,7 +97,7 @@ namespace Setae
     : reach(reach)
     , skin(skin)
   {
-    AssertThrow(reach >= 0. && skin > 0. && std::isfinite(reach + skin),
+    AssertThrow(reach >= 0. && skin > 0.,
                 ExcInvalidRange(reach, skin));
   }
 

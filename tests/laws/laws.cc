@@ -346,7 +346,8 @@ namespace
       PointPotential positive = potential(pair);
       for (InversePower &power : positive)
         power.prefactor = std::abs(power.prefactor);
-      const double clipped = std::max(gap, range.regularization);
+      const double clipped =
+        Law::is_long_range ? gap : std::max(gap, range.regularization);
       const auto plain = by_hand(Law(positive, pair, GapRange()), clipped, 0.);
 
       // expansion below, switch above, and the angle where it matters most
@@ -361,7 +362,7 @@ namespace
     }
   };
 
-  TYPED_TEST_SUITE(LawDerivatives, typename AsTypes<Laws>::type);
+  TYPED_TEST_SUITE(LawDerivatives, typename AsTypes<PotentialLaws>::type);
 } // namespace
 
 
@@ -383,19 +384,21 @@ TYPED_TEST(LawDerivatives, AreThoseOfTheEnergy)
     {
       const TypeParam law(this->potential(pair), pair, range);
       for (const double gap : gaps)
-        for (const double cosine : {any(random), 0., 1., -1.})
-          {
-            const auto       a = this->by_hand(law, gap, cosine);
-            const auto       b = this->by_sacado(law, gap, cosine);
-            const auto       s = this->sizes(pair, gap);
-            constexpr double e = 2e-14;
-            EXPECT_NEAR(a.value, b.value, e * s.value) << gap << ' ' << cosine;
-            EXPECT_NEAR(a.g, b.g, e * s.g) << gap << ' ' << cosine;
-            EXPECT_NEAR(a.c, b.c, e * s.c) << gap << ' ' << cosine;
-            EXPECT_NEAR(a.gg, b.gg, e * s.gg) << gap << ' ' << cosine;
-            EXPECT_NEAR(a.gc, b.gc, e * s.gc) << gap << ' ' << cosine;
-            EXPECT_NEAR(a.cc, b.cc, e * s.cc) << gap << ' ' << cosine;
-          }
+        if (law.admits(gap))
+          for (const double cosine : {any(random), 0., 1., -1.})
+            {
+              const auto       a = this->by_hand(law, gap, cosine);
+              const auto       b = this->by_sacado(law, gap, cosine);
+              const auto       s = this->sizes(pair, gap);
+              constexpr double e = 2e-14;
+              EXPECT_NEAR(a.value, b.value, e * s.value)
+                << gap << ' ' << cosine;
+              EXPECT_NEAR(a.g, b.g, e * s.g) << gap << ' ' << cosine;
+              EXPECT_NEAR(a.c, b.c, e * s.c) << gap << ' ' << cosine;
+              EXPECT_NEAR(a.gg, b.gg, e * s.gg) << gap << ' ' << cosine;
+              EXPECT_NEAR(a.gc, b.gc, e * s.gc) << gap << ' ' << cosine;
+              EXPECT_NEAR(a.cc, b.cc, e * s.cc) << gap << ' ' << cosine;
+            }
     }
 }
 

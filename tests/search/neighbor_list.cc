@@ -346,6 +346,20 @@ TEST(NeighborList, IsSortedAndIndependentOfTheOrderOfTargets)
 
 
 
+TEST(NeighborList, WithoutEndOfTheReachHasAllPairsForever)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::mt19937     random(6);
+  const Cells      cells = random_curved_cells(20, 1e6, random);
+
+  NeighborList list(infinity, infinity);
+  list.build(cells, all_indices(20), all_indices(20), different);
+  EXPECT_EQ(list.n_pairs(), 20u * 19u);
+  EXPECT_FALSE(list.needs_rebuild(random_curved_cells(20, 1., random)));
+}
+
+
+
 TEST(NeighborList, TakesEmptyInput)
 {
   NeighborList list(1., 1.);

@@ -79,10 +79,17 @@ namespace Setae
 
     /**
      * A state with a gap below this one is no solution [length]: a law may be
-     * regularized there.
+     * regularized there, or fibers overlap.
      */
     virtual double
     smallest_admissible_gap() const
+    {
+      return -std::numeric_limits<double>::infinity();
+    }
+
+    /** At this gap and below, the energy does not exist [length]. */
+    virtual double
+    singular_gap() const
     {
       return -std::numeric_limits<double>::infinity();
     }

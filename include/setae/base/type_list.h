@@ -17,6 +17,10 @@ namespace Setae
   template <typename... Types>
   struct TypeList
   {
+    /** The list with some more types at its end. */
+    template <typename... MoreTypes>
+    using with = TypeList<Types..., MoreTypes...>;
+
     /** The names, separated by '|', as Patterns::Selection wants them. */
     static std::string
     names()

@@ -7,11 +7,17 @@
 #include <setae/base/type_list.h>
 #include <setae/laws/disk_cylinder.h>
 #include <setae/laws/disk_disk.h>
+#include <setae/laws/multipole.h>
+#include <setae/laws/penalty_contact.h>
 
 namespace Setae
 {
-  /** The interaction laws a scene can choose from. */
-  using Laws = TypeList<DiskDisk, DiskCylinder>;
+  /** The laws that reduce the potential between the points of two fibers. */
+  using PotentialLaws =
+    TypeList<DiskDisk, DiskCylinder, Multipole<1>, Multipole<2>>;
+
+  /** All interaction laws that a scene can choose from. */
+  using Laws = PotentialLaws::with<PenaltyContact>;
 } // namespace Setae
 
 #endif

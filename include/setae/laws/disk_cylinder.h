@@ -26,6 +26,7 @@ namespace Setae
   public:
     static constexpr const char  *name              = "disk-cylinder";
     static constexpr Invariants   depends_on        = Invariants::gap_angle;
+    static constexpr bool         is_long_range     = false;
     static constexpr unsigned int smallest_exponent = 6;
 
     static std::string

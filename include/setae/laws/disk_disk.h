@@ -23,8 +23,9 @@ namespace Setae
   class DiskDisk
   {
   public:
-    static constexpr const char *name       = "disk-disk";
-    static constexpr Invariants  depends_on = Invariants::gap;
+    static constexpr const char *name          = "disk-disk";
+    static constexpr Invariants  depends_on    = Invariants::gap;
+    static constexpr bool        is_long_range = false;
 
     /** Smallest exponent of the point potential for which the law exists. */
     static constexpr unsigned int smallest_exponent = 4;

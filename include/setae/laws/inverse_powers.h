@@ -4,6 +4,7 @@
 #ifndef setae_laws_inverse_powers_h
 #define setae_laws_inverse_powers_h
 
+#include <setae/base/integer_power.h>
 #include <setae/base/law_derivatives.h>
 
 #include <cmath>
@@ -39,7 +40,7 @@ namespace Setae
       const Number inverse = 1. / gap;
       Number       sum     = 0.;
       for (const Term &term : terms)
-        sum += term.coefficient * power(inverse, term.n);
+        sum += term.coefficient * integer_power(inverse, term.n);
       return sum * sqrt(inverse);
     }
 
@@ -52,8 +53,9 @@ namespace Setae
       GapDerivatives sum;
       for (const Term &term : terms)
         {
-          const double p     = term.n + .5;
-          const double value = term.coefficient * power(inverse, term.n) * root;
+          const double p = term.n + .5;
+          const double value =
+            term.coefficient * integer_power(inverse, term.n) * root;
           sum.value += value;
           sum.first -= p * value * inverse;
           sum.second += p * (p + 1.) * value * inverse * inverse;
@@ -62,17 +64,6 @@ namespace Setae
     }
 
   private:
-    template <typename Number>
-    static Number
-    power(Number base, unsigned int n)
-    {
-      Number result = 1.;
-      for (; n > 0; n /= 2, base *= Number(base))
-        if (n % 2 == 1)
-          result *= base;
-      return result;
-    }
-
     std::vector<Term> terms;
   };
 } // namespace Setae

@@ -24,9 +24,17 @@ namespace Setae
    */
   using PointPotential = std::vector<InversePower>;
 
+  /** Where the points of a fiber are. */
+  enum class Distribution
+  {
+    volume,
+    surface
+  };
+
   /**
    * What a reduced law has to know of the two cross-sections, source first:
-   * radii [length] and number densities [1/length^3].
+   * radii [length] and points per volume [1/length^3] or per surface
+   * [1/length^2].
    */
   struct SectionPair
   {
@@ -34,6 +42,8 @@ namespace Setae
     double radius_2  = 1.;
     double density_1 = 1.;
     double density_2 = 1.;
+
+    Distribution distribution = Distribution::volume;
   };
 } // namespace Setae
 

@@ -73,6 +73,8 @@ namespace Setae
      *   interact: cutoff of the gap plus the radii [length]
      * @param skin allowance for motion [length], positive: a large one makes
      *   for few but long lists
+     *
+     * Either may be infinite: then the list is built once, with all pairs.
      */
     NeighborList(const double reach, const double skin);
 
