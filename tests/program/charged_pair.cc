@@ -62,7 +62,9 @@ TEST(ChargedPair, DoesNotDependOnTheLoadSteps)
     {
       const double displacement = record.loads[0].displacement[0];
       if (record.time > 0.)
-        EXPECT_NEAR(displacement, midpoint(in_one_step(record.time)), 1e-9);
+        {
+          EXPECT_NEAR(displacement, midpoint(in_one_step(record.time)), 1e-9);
+        }
     }
 }
 
