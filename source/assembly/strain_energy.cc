@@ -11,10 +11,13 @@ namespace Setae
   StrainEnergy::StrainEnergy(const FiberSystem &fibers)
     : fibers(fibers)
   {
-    beams.reserve(fibers.owned_cells.size());
     for (const unsigned int cell : fibers.owned_cells)
-      beams.emplace_back(fibers.initial[cell],
-                         circular_section(fibers.parameters_of_cell(cell)));
+      if (!fibers.is_rigid(cell))
+        {
+          cells.push_back(cell);
+          beams.emplace_back(fibers.initial[cell],
+                             circular_section(fibers.parameters_of_cell(cell)));
+        }
   }
 
 
@@ -28,11 +31,10 @@ namespace Setae
     LocalSystem<12> local;
     for (unsigned int i = 0; i < beams.size(); ++i)
       {
-        const unsigned int cell = fibers.owned_cells[i];
         local.reset(request);
-        beams[i].add(state.displacement[cell], request, local);
+        beams[i].add(state.displacement[cells[i]], request, local);
         energy += local.energy;
-        system.add(cell, local);
+        system.add(cells[i], local);
       }
     return energy;
   }
@@ -44,10 +46,10 @@ namespace Setae
                                const unsigned int cell,
                                const double       x) const
   {
-    const auto owned = std::lower_bound(fibers.owned_cells.begin(),
-                                        fibers.owned_cells.end(),
-                                        cell);
-    return beams[owned - fibers.owned_cells.begin()].section_forces(
-      state.displacement[cell], x);
+    if (fibers.is_rigid(cell))
+      return {};
+    const auto found = std::lower_bound(cells.begin(), cells.end(), cell);
+    return beams[found - cells.begin()].section_forces(state.displacement[cell],
+                                                       x);
   }
 } // namespace Setae

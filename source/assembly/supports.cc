@@ -61,6 +61,7 @@ namespace Setae
   {
     for (unsigned int i = 0; i < fibers.scene.supports.size(); ++i)
       add_support(i);
+    hold_rigid_fibers();
     check_every_fiber();
 
     for (const auto &[dof, entry] : prescribed)
@@ -144,6 +145,21 @@ namespace Setae
 
 
   void
+  Supports::hold_rigid_fibers()
+  {
+    expressions.push_back(
+      std::make_unique<Expression>("supports", "0", "t", Constants()));
+    const Expression *const zero = expressions.back().get();
+    for (unsigned int cell = 0; cell < fibers.initial.size(); ++cell)
+      if (fibers.is_rigid(cell))
+        for (const auto dof : fibers.cell_dofs[cell])
+          if (dof != numbers::invalid_dof_index)
+            prescribed.insert({dof, {at_rest_in_rigid_fiber, false, 0, zero}});
+  }
+
+
+
+  void
   Supports::check_every_fiber() const
   {
     std::string names;
@@ -196,7 +212,7 @@ namespace Setae
 
     std::vector<double> reactions(3 * supports.size(), 0.);
     for (const auto &[dof, entry] : prescribed)
-      if (!entry.tangent)
+      if (!entry.tangent && entry.support != at_rest_in_rigid_fiber)
         {
           SupportReport &support = result[entry.support];
           if (!support.held[entry.coordinate])

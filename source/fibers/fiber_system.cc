@@ -6,6 +6,7 @@
 #include <deal.II/dofs/dof_tools.h>
 
 #include <setae/base/exceptions.h>
+#include <setae/beams/rigid.h>
 #include <setae/fe/fe_hermite.h>
 #include <setae/fibers/fiber_system.h>
 
@@ -60,7 +61,9 @@ namespace Setae
         for (unsigned int l = 0; l < lines.size(); ++l)
           {
             const Centerline &line = lines[l];
-            check_curvature(line, "fibers/" + parameters.name + "/centerline");
+            if (parameters.beam != Rigid::name)
+              check_curvature(line,
+                              "fibers/" + parameters.name + "/centerline");
 
             Fiber              fiber{p,
                         parameters.name +
@@ -151,6 +154,14 @@ namespace Setae
                   ExcParameter(parameter,
                                "curved out of the plane",
                                "in the plane of the active coordinates"));
+  }
+
+
+
+  bool
+  FiberSystem::is_rigid(const unsigned int cell) const
+  {
+    return parameters_of_cell(cell).beam == Rigid::name;
   }
 
 

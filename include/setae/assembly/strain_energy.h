@@ -12,7 +12,7 @@
 namespace Setae
 {
   /**
-   * The strain energy of all fibers.
+   * The strain energy of all fibers but the rigid ones.
    */
   class StrainEnergy : public EnergyTerm
   {
@@ -32,7 +32,7 @@ namespace Setae
 
     /**
      * Axial force and bending moment at the reference coordinate @p x of an
-     * owned cell.
+     * owned cell; zero in a rigid fiber, whose forces are not known.
      */
     SectionForces
     section_forces(const State       &state,
@@ -41,7 +41,8 @@ namespace Setae
 
   private:
     const FiberSystem                &fibers;
-    std::vector<TorsionFreeKirchhoff> beams; ///< of the owned cells
+    std::vector<unsigned int>         cells; ///< owned, of elastic fibers
+    std::vector<TorsionFreeKirchhoff> beams; ///< of these cells
   };
 } // namespace Setae
 

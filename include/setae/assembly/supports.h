@@ -71,7 +71,7 @@ namespace Setae
     /** One prescribed degree of freedom. */
     struct Prescribed
     {
-      unsigned int      support;
+      unsigned int      support; ///< or at_rest_in_rigid_fiber
       bool              tangent;
       unsigned int      coordinate;
       const Expression *value;
@@ -88,7 +88,13 @@ namespace Setae
                    const std::array<const Expression *, 3> &values);
 
     void
+    hold_rigid_fibers();
+
+    void
     check_every_fiber() const;
+
+    static constexpr unsigned int at_rest_in_rigid_fiber =
+      dealii::numbers::invalid_unsigned_int;
 
     const FiberSystem &fibers;
 

@@ -5,12 +5,13 @@
 #define setae_beams_all_h
 
 #include <setae/base/type_list.h>
+#include <setae/beams/rigid.h>
 #include <setae/beams/torsion_free_kirchhoff.h>
 
 namespace Setae
 {
   /** The beam formulations a fiber can choose from. */
-  using Beams = TypeList<TorsionFreeKirchhoff>;
+  using Beams = TypeList<TorsionFreeKirchhoff, Rigid>;
 } // namespace Setae
 
 #endif

@@ -89,6 +89,10 @@ namespace Setae
     dealii::DoFHandler<1, 3>                      dof_handler;
     dealii::IndexSet                              owned_dofs;
 
+    /** Whether the fiber of @p cell keeps its shape. */
+    bool
+    is_rigid(const unsigned int cell) const;
+
     const FiberParameters &
     parameters_of_cell(const unsigned int cell) const
     {
