@@ -131,8 +131,9 @@ namespace Setae
       const double R1 = sections.radius_1, R2 = sections.radius_2;
       const double d = R1 + R2 + gap;
 
-      const auto along_axes = [&](const double r2) {
-        return double_segment_integral(power.exponent, std::sqrt(r2), overlap);
+      const DoubleSegmentIntegral segments(power.exponent, overlap);
+      const auto                  along_axes = [&](const double r2) {
+        return segments(std::sqrt(r2));
       };
       const auto from_point = [&](const double beta) {
         const double half      = std::sin(.5 * beta);
@@ -166,6 +167,8 @@ namespace Setae
       const double R1 = sections.radius_1, R2 = sections.radius_2;
       const double sine = std::sin(angle), cosine = std::cos(angle);
 
+      const SegmentIntegral segment(power.exponent);
+
       // X along the gap, Z along the target. A line of the source at its angle
       // beta, which is zero next to the target, and its point at s.
       const auto from_line = [&](const double beta) {
@@ -180,10 +183,8 @@ namespace Setae
             (height * (X + R2) + Y * Y) / (std::hypot(X, Y) + R2);
           return over_ring(
                    [&](const double r2) {
-                     return segment_integral(power.exponent,
-                                             std::sqrt(r2),
-                                             {-.5 * length_2 - Z,
-                                              .5 * length_2 - Z});
+                     return segment(std::sqrt(r2),
+                                    {-.5 * length_2 - Z, .5 * length_2 - Z});
                    },
                    R2,
                    point_gap,
@@ -219,17 +220,16 @@ namespace Setae
                                  const double        length_2,
                                  const double        tolerance)
     {
-      const double R1 = sections.radius_1, R2 = sections.radius_2;
-      const double d    = R1 + R2 + gap;
-      const double sine = std::sin(angle), cosine = std::cos(angle);
+      const double          R1 = sections.radius_1, R2 = sections.radius_2;
+      const double          d    = R1 + R2 + gap;
+      const double          sine = std::sin(angle), cosine = std::cos(angle);
+      const SegmentIntegral segment(power.exponent);
       return power.prefactor * densities(sections) * 4. * pi * pi * R1 * R2 *
              integrate_peak(
                [&](const double s) {
                  const double z = s * cosine;
-                 return segment_integral(power.exponent,
-                                         std::hypot(d, s * sine),
-                                         {-.5 * length_2 - z,
-                                          .5 * length_2 - z});
+                 return segment(std::hypot(d, s * sine),
+                                {-.5 * length_2 - z, .5 * length_2 - z});
                },
                -.5 * length_1,
                .5 * length_1,

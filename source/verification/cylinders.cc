@@ -69,54 +69,6 @@ namespace Setae
 
 
 
-      /** The parts of the axial integral over two parallel segments. */
-      struct Trapezoid
-      {
-        explicit Trapezoid(const Overlap &o)
-          : plateau(std::min(o.length_1, o.length_2))
-          , begin(-o.shift - o.length_2)
-          , end(o.length_1 - o.shift)
-        {}
-
-        Interval
-        rise() const
-        {
-          return {begin, begin + plateau};
-        }
-
-        Interval
-        top() const
-        {
-          return {begin + plateau, end - plateau};
-        }
-
-        Interval
-        fall() const
-        {
-          return {end - plateau, end};
-        }
-
-        double plateau; ///< of the measure of pairs with a difference z1-z2
-        double begin, end;
-      };
-
-
-
-      /** The integral of z (p^2+z^2)^(-m/2). */
-      double
-      first_moment(const unsigned int m, const double p, const Interval &z)
-      {
-        const double a = p * p + z.begin * z.begin, b = p * p + z.end * z.end;
-        const double log_ratio =
-          2. * std::min(a, b) < std::max(a, b) ?
-            std::log(b / a) :
-            std::log1p((z.end - z.begin) * (z.end + z.begin) / a);
-        if (m == 2)
-          return .5 * log_ratio;
-        return std::pow(std::min(a, b), 1. - .5 * m) / (2. - m) *
-               (b >= a ? std::expm1((1. - .5 * m) * log_ratio) :
-                         -std::expm1((.5 * m - 1.) * log_ratio));
-      }
     } // namespace
 
 
@@ -282,23 +234,6 @@ namespace Setae
 
 
 
-    double
-    double_segment_integral(const unsigned int m,
-                            const double       p,
-                            const Overlap     &overlap)
-    {
-      const Trapezoid t(overlap);
-      double          sum = first_moment(m, p, t.rise()) -
-                   t.begin * segment_integral(m, p, t.rise()) +
-                   t.end * segment_integral(m, p, t.fall()) -
-                   first_moment(m, p, t.fall());
-      if (overlap.length_1 != overlap.length_2)
-        sum += t.plateau * segment_integral(m, p, t.top());
-      return sum;
-    }
-
-
-
     SlidingCylinders
     finite_parallel_cylinders(const InversePower &power,
                               const SectionPair  &sections,
@@ -307,32 +242,28 @@ namespace Setae
                               const double        tolerance)
     {
       check(power, 1, gap);
-      const unsigned int m     = power.exponent;
-      const auto         value = [&](const double p) {
-        return double_segment_integral(m, p, overlap);
-      };
-      const auto slope = [&](const double p) {
-        return -1. * m * p * double_segment_integral(m + 2, p, overlap);
-      };
-      const EnergyAndForce pair =
-        integrate_over_disks(value, slope, sections, gap, tolerance);
+      // A shift takes from the fall of the double integral what the rise gets.
+      const unsigned int          m = power.exponent;
+      const DoubleSegmentIntegral pairs(m, overlap),
+        pairs_of_slope(m + 2, overlap);
+      const SegmentIntegral segment(m);
 
-      // A shift moves the trapezoid: its rise by what its fall loses.
-      const Trapezoid t(overlap);
-      const auto      along = [&](const Interval &z) {
-        return integrate_over_disks(
-                 [&](const double p) { return segment_integral(m, p, z); },
-                 [&](const double p) {
-                   return -1. * m * p * segment_integral(m + 2, p, z);
-                 },
-                 sections,
-                 gap,
-                 tolerance)
-          .energy;
+      const auto along = [&](const Interval &z) {
+        return integrate_over_disks([&](
+                                      const double p) { return segment(p, z); },
+                                    sections,
+                                    gap,
+                                    tolerance);
       };
-      return {power.prefactor * pair.energy,
-              power.prefactor * pair.force,
-              power.prefactor * (along(t.fall()) + -1. * along(t.rise()))};
+      const double k = power.prefactor;
+      return {k * integrate_over_disks(pairs, sections, gap, tolerance),
+              k * m *
+                force_over_disks(
+                  [&](const double p) { return -p * pairs_of_slope(p); },
+                  sections,
+                  gap,
+                  tolerance),
+              k * (along(pairs.fall) + -1. * along(pairs.rise))};
     }
   } // namespace References
 } // namespace Setae

@@ -19,56 +19,88 @@ namespace Setae
       constexpr double pi = M_PI;
 
       /**
-       * The outer integral of ISSIP eq. A6 over the angle beta of the edge of
-       * the second disk. A potential of the first disk is a function of the gap
-       * between a point and that disk.
-       *
-       * @param potential What a point feels of the first disk.
-       * @param slope Its derivative with respect to that gap.
+       * The second disk of ISSIP eq. A6 as the center of the first one sees it:
+       * over the angle beta of the edge of the second disk.
        */
-      EnergyAndForce
-      over_second_disk(const Function    &potential,
-                       const Function    &slope,
-                       const SectionPair &sections,
-                       const double       gap,
-                       const double       tolerance)
+      class SecondDisk
       {
-        AssertThrow(gap > 0.,
-                    ExcRun("A reference needs a positive gap, not " +
-                           std::to_string(gap) + "."));
-        const double R1 = sections.radius_1, R2 = sections.radius_2;
-        const double d = R1 + R2 + gap;
+      public:
+        SecondDisk(const SectionPair &sections, const double gap)
+          : R1(sections.radius_1)
+          , R2(sections.radius_2)
+          , gap(gap)
+          , d(R1 + R2 + gap)
+          , densities(sections.density_1 * sections.density_2)
+        {
+          AssertThrow(gap > 0.,
+                      ExcRun("A reference needs a positive gap, not " +
+                             std::to_string(gap) + "."));
+        }
 
-        const auto point_gap = [&](const double beta) {
+        /**
+         * The integral over the second disk of a potential.
+         *
+         * @param potential A function of the gap between point and first disk.
+         */
+        Estimate
+        integrate(const Function &potential, const double tolerance) const
+        {
+          return over_edge(
+            [&](const double beta) {
+              return 2. * half_angle(beta) * potential(point_gap(beta));
+            },
+            tolerance);
+        }
+
+        /**
+         * Minus its derivative with respect to the gap.
+         *
+         * @param slope The derivative of the potential.
+         */
+        Estimate
+        force(const Function &slope, const double tolerance) const
+        {
+          return over_edge(
+            [&](const double beta) {
+              const double s = point_gap(beta);
+              return -2. * R2 * std::sin(beta) / (R1 + s) * slope(s);
+            },
+            tolerance);
+        }
+
+      private:
+        Estimate
+        over_edge(const Function &f, const double tolerance) const
+        {
+          return densities * d * R2 *
+                 integrate_peak(
+                   [&](const double beta) { return std::sin(beta) * f(beta); },
+                   0.,
+                   pi,
+                   0.,
+                   std::min(pi, std::sqrt(2. * gap * (R1 + gap) / (d * R2))),
+                   tolerance);
+        }
+
+        double
+        point_gap(const double beta) const
+        {
           const double half = std::sin(.5 * beta);
           const double s    = 4. * d * R2 * half * half;
-          const double near = d - R2;
+          const double near = R1 + gap;
           return gap + s / (near + std::sqrt(near * near + s));
-        };
-        const auto half_angle = [&](const double beta) {
+        }
+
+        double
+        half_angle(const double beta) const
+        {
           const double half = std::sin(.5 * beta);
           return std::atan2(R2 * std::sin(beta),
                             R1 + gap + 2. * R2 * half * half);
-        };
-        const double scale =
-          std::min(pi, std::sqrt(2. * gap * (R1 + gap) / (d * R2)));
+        }
 
-        const auto over_edge = [&](const Function &f) {
-          return integrate_peak(f, 0., pi, 0., scale, tolerance);
-        };
-        const double densities = sections.density_1 * sections.density_2;
-        return densities * EnergyAndForce{over_edge([&](const double beta) {
-                                            return 2. * half_angle(beta) *
-                                                   potential(point_gap(beta)) *
-                                                   d * R2 * std::sin(beta);
-                                          }),
-                                          over_edge([&](const double beta) {
-                                            return -2. * R2 * std::sin(beta) /
-                                                   (R1 + point_gap(beta)) *
-                                                   slope(point_gap(beta)) * d *
-                                                   R2 * std::sin(beta);
-                                          })};
-      }
+        double R1, R2, gap, d, densities;
+      };
 
 
 
@@ -229,36 +261,53 @@ namespace Setae
                    const double        tolerance)
     {
       const PlanarDisk disk(power.exponent, sections.radius_1);
+      const SecondDisk second(sections, gap);
       return power.prefactor *
-             over_second_disk([&](const double s) { return disk.value(s); },
-                              [&](const double s) {
-                                return disk.derivative(s);
-                              },
-                              sections,
-                              gap,
-                              tolerance);
+             EnergyAndForce{
+               second.integrate([&](const double s) { return disk.value(s); },
+                                tolerance),
+               second.force([&](const double s) { return disk.derivative(s); },
+                            tolerance)};
     }
 
 
 
-    EnergyAndForce
+    Estimate
     integrate_over_disks(const Function    &f,
-                         const Function    &slope,
                          const SectionPair &sections,
                          const double       gap,
                          const double       tolerance)
     {
-      const double R = sections.radius_1;
-      return over_second_disk(
-        [&](const double s) {
-          return integrate_over_disk(f, R, s, inner(tolerance)).value;
-        },
-        [&](const double s) {
-          return slope_over_disk(slope, R, s, inner(tolerance)).value;
-        },
-        sections,
-        gap,
-        tolerance);
+      return SecondDisk(sections, gap)
+        .integrate(
+          [&](const double s) {
+            return integrate_over_disk(f,
+                                       sections.radius_1,
+                                       s,
+                                       inner(tolerance))
+              .value;
+          },
+          tolerance);
+    }
+
+
+
+    Estimate
+    force_over_disks(const Function    &slope,
+                     const SectionPair &sections,
+                     const double       gap,
+                     const double       tolerance)
+    {
+      return SecondDisk(sections, gap)
+        .force(
+          [&](const double s) {
+            return slope_over_disk(slope,
+                                   sections.radius_1,
+                                   s,
+                                   inner(tolerance))
+              .value;
+          },
+          tolerance);
     }
 
 
@@ -272,17 +321,23 @@ namespace Setae
     {
       const double m = power.exponent;
       return power.prefactor *
-             integrate_over_disks(
-               [&](const double p) {
-                 return std::pow(p * p + offset * offset, -.5 * m);
-               },
-               [&](const double p) {
-                 return -m * p *
-                        std::pow(p * p + offset * offset, -.5 * m - 1.);
-               },
-               sections,
-               gap,
-               tolerance);
+             EnergyAndForce{integrate_over_disks(
+                              [&](const double p) {
+                                return std::pow(p * p + offset * offset,
+                                                -.5 * m);
+                              },
+                              sections,
+                              gap,
+                              tolerance),
+                            force_over_disks(
+                              [&](const double p) {
+                                return -m * p *
+                                       std::pow(p * p + offset * offset,
+                                                -.5 * m - 1.);
+                              },
+                              sections,
+                              gap,
+                              tolerance)};
     }
 
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 The Setae authors
 
-#include <boost/math/special_functions/beta.hpp>
-
 #include <setae/base/exceptions.h>
 #include <setae/verification/point_potentials.h>
 
@@ -62,15 +60,8 @@ namespace Setae
 
         double R, gap, t;
       };
+
     } // namespace
-
-
-
-    double
-    line_factor(const unsigned int m)
-    {
-      return std::sqrt(pi) * std::tgamma(.5 * (m - 1.)) / std::tgamma(.5 * m);
-    }
 
 
 
@@ -166,28 +157,32 @@ namespace Setae
                         const double    tolerance,
                         const double    scale)
     {
-      const EdgeView view(radius, gap);
-      Estimate       result;
-      if (view.t > 0.)
-        result = integrate_peak(
-          [&](const double gamma) {
-            return 2. * view.half_angle(gamma) * f(view.distance(gamma)) *
-                   view.jacobian(gamma);
-          },
-          0.,
-          pi,
-          0.,
-          view.scale(),
-          tolerance);
+      // Around a point inside whole circles, which matter most.
+      Estimate result;
       if (gap < 0.)
         result =
-          result +
           integrate_peak([&](const double p) { return 2. * pi * p * f(p); },
                          0.,
                          -gap,
                          0.,
                          std::min(scale, -gap),
                          tolerance);
+
+      const EdgeView view(radius, gap);
+      if (view.t > 0.)
+        result = result + integrate_peak(
+                            [&](const double gamma) {
+                              return 2. * view.half_angle(gamma) *
+                                     f(view.distance(gamma)) *
+                                     view.jacobian(gamma);
+                            },
+                            0.,
+                            pi,
+                            0.,
+                            view.scale(),
+                            tolerance,
+                            0.,
+                            tolerance * std::abs(result.value));
       return result;
     }
 
@@ -215,30 +210,6 @@ namespace Setae
 
 
 
-    double
-    segment_integral(const unsigned int m, const double p, const Interval &z)
-    {
-      // From a positive z to infinity, as an incomplete beta function.
-      const auto tail = [m, p](const double from) {
-        if (std::isinf(from))
-          return 0.;
-        const double x = p * p / (p * p + from * from);
-        return .5 * std::pow(p, 1. - m) *
-               boost::math::beta(.5 * (m - 1.), .5, x);
-      };
-
-      if (m == 1)
-        return std::asinh(z.end / p) - std::asinh(z.begin / p);
-      if (z.begin >= 0.)
-        return tail(z.begin) - tail(z.end);
-      if (z.end <= 0.)
-        return tail(-z.end) - tail(-z.begin);
-      return line_factor(m) * std::pow(p, 1. - m) - tail(z.end) -
-             tail(-z.begin);
-    }
-
-
-
     Estimate
     point_and_cylinder(const InversePower &power,
                        const double        radius,
@@ -246,15 +217,13 @@ namespace Setae
                        const Interval     &z,
                        const double        tolerance)
     {
+      const SegmentIntegral segment(power.exponent);
       return power.prefactor *
-             integrate_over_disk(
-               [&](const double p) {
-                 return segment_integral(power.exponent, p, z);
-               },
-               radius,
-               gap,
-               tolerance,
-               std::max(z.begin, -z.end));
+             integrate_over_disk([&](const double p) { return segment(p, z); },
+                                 radius,
+                                 gap,
+                                 tolerance,
+                                 std::max(z.begin, -z.end));
     }
 
 

@@ -107,7 +107,8 @@ namespace Setae
     integrate(const Function &f,
               const double    a,
               const double    b,
-              const double    tolerance)
+              const double    tolerance,
+              const double    negligible)
     {
       const NoErrorHandler no_error_handler;
       const std::unique_ptr<gsl_integration_workspace,
@@ -121,17 +122,16 @@ namespace Setae
       const int          status = gsl_integration_qag(&function,
                                              a,
                                              b,
-                                             0.,
+                                             negligible,
                                              tolerance,
                                              max_n_intervals,
-                                             GSL_INTEG_GAUSS31,
+                                             GSL_INTEG_GAUSS41,
                                              workspace.get(),
                                              &result.value,
                                              &result.error);
       if (guarded.exception)
         std::rethrow_exception(guarded.exception);
-      if (std::isfinite(result.value) &&
-          result.error <= tolerance * std::abs(result.value))
+      if (status == GSL_SUCCESS && std::isfinite(result.value))
         return result;
 
       std::ostringstream message;
@@ -152,7 +152,8 @@ namespace Setae
                    const double    peak,
                    const double    scale,
                    const double    tolerance,
-                   const double    far)
+                   const double    far,
+                   const double    negligible)
     {
       const auto substituted = [&](const double u) {
         return f(peak + scale * std::sinh(u)) * scale * std::cosh(u);
@@ -162,11 +163,12 @@ namespace Setae
         // u would be noise.
         const double away = std::max(begin - peak, peak - end);
         if (away > end - begin)
-          return integrate(f, begin, end, tolerance);
+          return integrate(f, begin, end, tolerance, negligible);
         return integrate(substituted,
                          std::asinh((begin - peak) / scale),
                          std::asinh((end - peak) / scale),
-                         tolerance);
+                         tolerance,
+                         negligible);
       };
       const auto tail = [&](const double begin, const double sign) {
         const double length = sign * (begin - peak);
@@ -176,7 +178,8 @@ namespace Setae
           },
           0.,
           1.,
-          tolerance);
+          tolerance,
+          negligible);
       };
 
       const double begin = std::isinf(a) ? std::min(peak, b) - far : a;

@@ -62,14 +62,6 @@ namespace Setae
                            double              gap,
                            double              tolerance = default_tolerance);
 
-    /** How two parallel cylinders of finite length lie side by side. */
-    struct Overlap
-    {
-      double length_1;
-      double length_2;
-      double shift = 0.; ///< from the begin of the source to that of the target
-    };
-
     /** Energy, force along the gap and along the axes. */
     struct SlidingCylinders
     {
@@ -88,16 +80,6 @@ namespace Setae
                               double              gap,
                               const Overlap      &overlap,
                               double tolerance = default_tolerance);
-
-    /**
-     * The integral of (p^2+(z1-z2)^2)^(-m/2) over two segments. Accurate to
-     * round-off times the square of distance over length if they lie one behind
-     * the other.
-     */
-    double
-    double_segment_integral(unsigned int   exponent,
-                            double         p,
-                            const Overlap &overlap);
   } // namespace References
 } // namespace Setae
 

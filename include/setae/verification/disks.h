@@ -43,18 +43,27 @@ namespace Setae
 
     /**
      * The integral of a radial function over two disks in one plane, ISSIP
-     * eq. A6, and minus its derivative with respect to the gap: what is left of
-     * every pair of parallel bodies after the integration along the axes.
+     * eq. A6, with densities: what is left of every pair of parallel bodies
+     * after the integration along the axes.
      *
      * @param f A function of the distance.
-     * @param slope Its derivative.
      */
-    EnergyAndForce
+    Estimate
     integrate_over_disks(const Function    &f,
-                         const Function    &slope,
                          const SectionPair &sections,
                          double             gap,
                          double             tolerance);
+
+    /**
+     * Minus the derivative of integrate_over_disks() with respect to the gap.
+     *
+     * @param slope The derivative of f.
+     */
+    Estimate
+    force_over_disks(const Function    &slope,
+                     const SectionPair &sections,
+                     double             gap,
+                     double             tolerance);
 
 
 

@@ -7,23 +7,12 @@
 #include <setae/laws/point_potential.h>
 #include <setae/verification/hypergeometric.h>
 #include <setae/verification/quadrature.h>
-
-#include <limits>
+#include <setae/verification/segments.h>
 
 namespace Setae
 {
   namespace References
   {
-    /** The factor between a line of points and one point,
-     * @f[ \int_{-\infty}^{\infty}(x^2+z^2)^{-m/2}\,dz =
-     *     \frac{\sqrt\pi\,\Gamma(\frac{m-1}2)}{\Gamma(\frac m2)}\,x^{1-m},
-     *     \qquad m\ge 2. @f]
-     */
-    double
-    line_factor(unsigned int exponent);
-
-
-
     /**
      * The integral of r^-p over a disk as a function of a point in its plane,
      * outside of it at the distance t from its center:
@@ -120,23 +109,6 @@ namespace Setae
                     double          tolerance);
 
 
-
-    /**
-     * Of a straight segment parallel to z: where it begins and ends. Infinite
-     * bounds are allowed.
-     */
-    struct Interval
-    {
-      double begin = -std::numeric_limits<double>::infinity();
-      double end   = std::numeric_limits<double>::infinity();
-    };
-
-    /**
-     * The integral of (p^2+z^2)^(-m/2) over an interval of z, without
-     * cancellation far from it. Infinite intervals need m >= 2.
-     */
-    double
-    segment_integral(unsigned int exponent, double p, const Interval &z);
 
     /**
      * The potential of a point and a straight cylinder that occupies an

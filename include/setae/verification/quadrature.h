@@ -55,10 +55,16 @@ namespace Setae
      * as found in GSL).
      *
      * @param tolerance Largest relative error.
-     * @throws ExcRun if it cannot be reached.
+     * @param negligible An absolute error that is good enough, for a part of
+     * something larger.
+     * @throws ExcRun if neither can be reached.
      */
     Estimate
-    integrate(const Function &f, double a, double b, double tolerance);
+    integrate(const Function &f,
+              double          a,
+              double          b,
+              double          tolerance,
+              double          negligible = 0.);
 
     /**
      * The same for a function that has its peak at @p peak, inside or outside of
@@ -77,7 +83,8 @@ namespace Setae
                    double          peak,
                    double          scale,
                    double          tolerance,
-                   double          far = 0.);
+                   double          far        = 0.,
+                   double          negligible = 0.);
 
     /**
      * The relative tolerance of an integral that is the integrand of another
