@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 The Setae authors
+
+#ifndef setae_verification_disks_h
+#define setae_verification_disks_h
+
+#include <deal.II/base/tensor.h>
+
+#include <setae/verification/point_potentials.h>
+
+namespace Setae
+{
+  namespace References
+  {
+    /**
+     * Two disks in one plane, per length squared of two fibers. Any exponent
+     * m >= 1.
+     *
+     * @param gap Distance of the centers minus the sum of the radii [length],
+     * positive.
+     */
+    EnergyAndForce
+    coplanar_disks(const InversePower &power,
+                   const SectionPair  &sections,
+                   double              gap,
+                   double              tolerance = default_tolerance);
+
+    /**
+     * Two disks in parallel planes, per length squared: the two-dimensional
+     * integral of ISSIP eq. A6 with r^2 + offset^2 for r^2. The force is the
+     * one in the direction of the gap, i.e. in the planes.
+     *
+     * @param gap Distance of the axes minus the sum of the radii [length],
+     * positive.
+     * @param offset Distance of the planes [length].
+     */
+    EnergyAndForce
+    offset_disks(const InversePower &power,
+                 const SectionPair  &sections,
+                 double              gap,
+                 double              offset,
+                 double              tolerance = default_tolerance);
+
+    /**
+     * The integral of a radial function over two disks in one plane, ISSIP
+     * eq. A6, with densities: what is left of every pair of parallel bodies
+     * after the integration along the axes.
+     *
+     * @param f A function of the distance.
+     */
+    Estimate
+    integrate_over_disks(const Function    &f,
+                         const SectionPair &sections,
+                         double             gap,
+                         double             tolerance);
+
+    /**
+     * Minus the derivative of integrate_over_disks() with respect to the gap.
+     *
+     * @param slope The derivative of f.
+     */
+    Estimate
+    force_over_disks(const Function    &slope,
+                     const SectionPair &sections,
+                     double             gap,
+                     double             tolerance);
+
+
+
+    /** A disk in space. */
+    struct Disk
+    {
+      dealii::Tensor<1, 3> center; ///< [length]
+      dealii::Tensor<1, 3> normal; ///< of length one
+    };
+
+    /**
+     * Two disks at any position and orientation that do not touch, per length
+     * squared, and the force on the first disk in the direction @p direction.
+     * What is left of the four-dimensional integral is a three-dimensional one
+     * around the point of the first disk that is nearest to the second one.
+     *
+     * Positions have the round-off of their largest coordinate; divided by the
+     * gap and multiplied by the exponent it is the relative error that no
+     * quadrature can avoid.
+     */
+    EnergyAndForce
+    disks(const InversePower         &power,
+          const SectionPair          &sections,
+          const Disk                 &disk_1,
+          const Disk                 &disk_2,
+          const dealii::Tensor<1, 3> &direction,
+          double                      tolerance = default_tolerance);
+
+    /** The energy alone. */
+    Estimate
+    energy_of_disks(const InversePower &power,
+                    const SectionPair  &sections,
+                    const Disk         &disk_1,
+                    const Disk         &disk_2,
+                    double              tolerance = default_tolerance);
+  } // namespace References
+} // namespace Setae
+
+#endif

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 The Setae authors
+
+#ifndef setae_verification_segments_h
+#define setae_verification_segments_h
+
+#include <limits>
+#include <vector>
+
+namespace Setae
+{
+  namespace References
+  {
+    /** The factor between a line of points and one point,
+     * @f[ \int_{-\infty}^{\infty}(x^2+z^2)^{-m/2}\,dz =
+     *     \frac{\sqrt\pi\,\Gamma(\frac{m-1}2)}{\Gamma(\frac m2)}\,x^{1-m},
+     *     \qquad m\ge 2. @f]
+     */
+    double
+    line_factor(unsigned int exponent);
+
+
+
+    /**
+     * Of a straight segment parallel to z: where it begins and ends. Infinite
+     * bounds are allowed.
+     */
+    struct Interval
+    {
+      double begin = -std::numeric_limits<double>::infinity();
+      double end   = std::numeric_limits<double>::infinity();
+    };
+
+    /**
+     * The integral of (p^2+z^2)^(-m/2) over an interval of z, without
+     * cancellation far from it. Infinite intervals need m >= 2.
+     *
+     * For @f$0<a<p@f$ and @f$\rho^2=p^2+a^2@f$ the part from 0 to a is
+     * @f$a\rho^{-m}F(1,\frac m2;\frac32;\frac{a^2}{\rho^2})@f$, and for
+     * @f$a\ge p@f$ the rest to infinity is
+     * @f$\frac{a\rho^{-m}}{m-1}F(1,\frac m2;\frac{m+1}2;\frac{p^2}{\rho^2})@f$;
+     * all terms of both series are positive.
+     */
+    class SegmentIntegral
+    {
+    public:
+      explicit SegmentIntegral(unsigned int exponent);
+
+      double
+      operator()(double p, const Interval &z) const;
+
+    private:
+      /** From 0 to @p a. */
+      double
+      head(double p, double a) const;
+
+      /** From @p a to infinity. */
+      double
+      tail(double p, double a) const;
+
+      unsigned int        m;
+      std::vector<double> head_series;
+      std::vector<double> tail_series;
+    };
+
+
+
+    /** How two parallel cylinders of finite length lie side by side. */
+    struct Overlap
+    {
+      double length_1;
+      double length_2;
+      double shift = 0.; ///< from the begin of the source to that of the target
+    };
+
+    /**
+     * The integral of (p^2+(z1-z2)^2)^(-m/2) over two parallel segments. Of
+     * segments that lie one behind the other the round-off is that of double
+     * times the square of distance over length.
+     */
+    class DoubleSegmentIntegral
+    {
+    public:
+      DoubleSegmentIntegral(unsigned int exponent, const Overlap &overlap);
+
+      double
+      operator()(double p) const;
+
+      /** Intervals of z1-z2 in which the measure of its pairs goes from zero
+       * to the length of the shorter segment, stays there and returns. */
+      Interval rise, top, fall;
+
+    private:
+      unsigned int    m;
+      double          plateau; ///< length of the shorter segment
+      SegmentIntegral segment;
+    };
+  } // namespace References
+} // namespace Setae
+
+#endif

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 The Setae authors
+
+// Two disks: the same energy from integrals of one, two and three dimensions,
+// and the limits of small and large gaps.
+
+#include <setae/laws/disk_disk.h>
+#include <setae/verification/disks.h>
+
+#include <cmath>
+
+#include "agreement.h"
+
+using namespace Setae;
+using namespace Setae::References;
+using dealii::Tensor;
+
+namespace
+{
+  constexpr double pi = M_PI;
+
+  SectionPair
+  sections(const double ratio)
+  {
+    return {1., ratio, 1.5, .8};
+  }
+
+  /** A second disk at a gap in the direction of x. */
+  Disk
+  disk_at(const SectionPair &pair, const double gap, const Tensor<1, 3> &normal)
+  {
+    return {Tensor<1, 3>({pair.radius_1 + pair.radius_2 + gap, 0., 0.}),
+            normal};
+  }
+
+  const Disk         first     = {Tensor<1, 3>(), Tensor<1, 3>({0., 0., 1.})};
+  const Tensor<1, 3> towards_x = Tensor<1, 3>({-1., 0., 0.});
+
+  /**
+   * Coplanar disks once more, without any of the coordinates of ISSIP eq. A6:
+   * the pairs with the same difference of positions d-v fill the overlap of two
+   * disks at the distance |v|, and the mean of r^-m over a circle around the
+   * center of the other disk is d^-m F(m/2,m/2;1;|v|^2/d^2).
+   */
+  double
+  energy_by_overlap(const unsigned int m,
+                    const SectionPair &pair,
+                    const double       gap)
+  {
+    const double R1 = pair.radius_1, R2 = pair.radius_2, d = R1 + R2 + gap;
+    const Hypergeometric mean(.5 - .5 * (m - 1.), .5 - .5 * (m - 1.), m - 1);
+
+    const auto overlap = [&](const double v) {
+      if (v <= std::abs(R1 - R2))
+        return pi * std::pow(std::min(R1, R2), 2);
+      const double a1 = std::acos((v * v + R1 * R1 - R2 * R2) / (2. * v * R1));
+      const double a2 = std::acos((v * v + R2 * R2 - R1 * R1) / (2. * v * R2));
+      return R1 * R1 * (a1 - .5 * std::sin(2. * a1)) +
+             R2 * R2 * (a2 - .5 * std::sin(2. * a2));
+    };
+    const auto ring = [&](const double v) {
+      const double z          = v * v / (d * d),
+                   complement = (d - v) * (d + v) / (d * d);
+      return 2. * pi * v * overlap(v) * std::pow(d, -1. * m) *
+             std::pow(complement, 1. - m) * mean(z, complement);
+    };
+    double sum =
+      integrate_peak(ring, std::abs(R1 - R2), R1 + R2, d, gap, 1e-10).value;
+    if (R1 != R2)
+      sum += integrate_peak(ring, 0., std::abs(R1 - R2), d, gap, 1e-10).value;
+    return sum * pair.density_1 * pair.density_2;
+  }
+} // namespace
+
+
+
+TEST(ReferenceDisks, OneAndTwoDimensionsAgree)
+{
+  for (const unsigned int m : {1, 2, 3, 6, 12})
+    for (const double ratio : {.1, 1., 10.})
+      for (const double gap : {1e-6, 1e-3, .1, 10.})
+        expect_agreement(coplanar_disks({m, -2.}, sections(ratio), gap),
+                         offset_disks({m, -2.}, sections(ratio), gap, 0.),
+                         1e-11);
+}
+
+
+
+TEST(ReferenceDisks, AgreeWithTheOverlapOfDisplacedDisks)
+{
+  for (const unsigned int m : {1, 3, 6, 12})
+    for (const double ratio : {.1, 1., 10.})
+      for (const double gap : {1e-3, .1, 10.})
+        EXPECT_NEAR(
+          energy_by_overlap(m, sections(ratio), gap) /
+            coplanar_disks({m, 1.}, sections(ratio), gap).energy.value,
+          1.,
+          1e-9);
+}
+
+
+
+TEST(ReferenceDisks, HaveTheAsymptotesOfThePapers)
+{
+  const SectionPair pair = sections(2.);
+  for (const unsigned int m : {6, 12})
+    {
+      const double gap = 1e-6;
+      EXPECT_NEAR(coplanar_disks({m, 1.}, pair, gap).energy.value /
+                    (DiskDisk::coefficient(m, 1., pair) *
+                     std::pow(gap, 3.5 - m)),
+                  1.,
+                  1e-6);
+    }
+  for (const unsigned int m : {1, 6})
+    {
+      const double d = 1e4, monopole = 1.5 * pi * .8 * pi * 4.;
+      EXPECT_NEAR(coplanar_disks({m, 1.}, pair, d - 3.).energy.value *
+                    std::pow(d, m) / monopole,
+                  1.,
+                  1e-6);
+    }
+}
+
+
+
+TEST(ReferenceDisks, AnyPoseContainsCoplanarAndOffsetDisks)
+{
+  const SectionPair pair = sections(1.5);
+  for (const unsigned int m : {1, 6, 12})
+    for (const double gap : {1e-3, 1.})
+      {
+        Disk second = disk_at(pair, gap, first.normal);
+        expect_agreement(disks({m, 1.}, pair, first, second, towards_x),
+                         coplanar_disks({m, 1.}, pair, gap));
+        second.center[2] = .4;
+        expect_agreement(disks({m, 1.}, pair, first, second, towards_x),
+                         offset_disks({m, 1.}, pair, gap, .4));
+      }
+}
+
+
+
+// Here the round-off of the positions is 1e-10 of the gap.
+TEST(ReferenceDisks, AnyPoseIsGoodToEightDigitsAtAMillionthOfTheRadius)
+{
+  const SectionPair pair = sections(1.5);
+  const double      gap  = 1e-6;
+  for (const unsigned int m : {6, 12})
+    expect_agreement(
+      energy_of_disks({m, 1.}, pair, first, disk_at(pair, gap, first.normal)),
+      coplanar_disks({m, 1.}, pair, gap).energy,
+      1e-8);
+}
+
+
+
+TEST(ReferenceDisks, AnyPoseIsSymmetric)
+{
+  const SectionPair pair = sections(1.5), swapped = {1.5, 1., .8, 1.5};
+  for (const unsigned int m : {1, 6})
+    for (const double gap : {1e-2, .5})
+      for (const Tensor<1, 3> normal : {Tensor<1, 3>({.8, 0., .6}),
+                                        Tensor<1, 3>({0., 1., 0.}),
+                                        Tensor<1, 3>({.48, .64, .6})})
+        {
+          const Disk second = disk_at(pair, gap, normal);
+          expect_agreement(
+            disks({m, 1.}, pair, first, second, towards_x, 1e-9),
+            disks({m, 1.}, swapped, second, first, -1. * towards_x, 1e-9));
+        }
+}
+
+
+
+TEST(ReferenceDisks, ForceDoesTheWork)
+{
+  const SectionPair pair = sections(1.5);
+  for (const unsigned int m : {1, 6, 12})
+    {
+      expect_work(
+        [&](const double gap) {
+          return coplanar_disks({m, 1.}, pair, gap);
+        },
+        .01,
+        .02);
+      expect_work(
+        [&](const double gap) {
+          return offset_disks({m, 1.}, pair, gap, .1);
+        },
+        .1,
+        .3);
+    }
+  expect_work(
+    [&](const double gap) {
+      return disks({6, 1.},
+                   pair,
+                   first,
+                   disk_at(pair, gap, Tensor<1, 3>({.48, .64, .6})),
+                   towards_x,
+                   1e-9);
+    },
+    .1,
+    .3);
+}
