@@ -272,11 +272,13 @@ TEST(ReferencePotentials, SegmentsAddUpAndMatchQuadrature)
             EXPECT_NEAR(segment(p, z) / quadrature.value, 1., 1e-12);
           }
       if (m >= 2)
-        EXPECT_NEAR((segment(.3, {-infinity, .2}) +
-                     segment(.3, {.2, infinity})) /
-                      (line_factor(m) * std::pow(.3, 1. - m)),
-                    1.,
-                    1e-14);
+        {
+          const double halves =
+            segment(.3, {-infinity, .2}) + segment(.3, {.2, infinity});
+          EXPECT_NEAR(halves / (line_factor(m) * std::pow(.3, 1. - m)),
+                      1.,
+                      1e-14);
+        }
     }
 }
 
