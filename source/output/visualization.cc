@@ -128,6 +128,7 @@ namespace Setae
         const HermiteCell<>     &current = state.current[cell];
         DataOutBase::Patch<1, 3> patch;
         patch.patch_index          = output.patches.size();
+        patch.reference_cell       = ReferenceCells::Line;
         patch.n_subdivisions       = n;
         patch.vertices[0]          = Point<3>(current.position(0.));
         patch.vertices[1]          = Point<3>(current.position(1.));

@@ -73,6 +73,11 @@ succeeds
 check "no results in the directory of the scene" [ -s results/statistics.txt ]
 check "no fields" [ -s results/fibers.pvd ]
 check "no cloud of forces" [ -s results/interaction.pvd ]
+# The cells of a line have ends and a type, or no program can read the file.
+for array in connectivity offsets types; do
+  check "no $array in the fields" grep -q '[^ ]' <(
+    grep -A1 "Name=\"$array\"" results/fibers_00000.0.vtu | tail -n +2)
+done
 check "no steps on the screen" on_stdout '^step +1 '
 
 before=$(listing)
