@@ -148,14 +148,16 @@ namespace Setae
            const Tensor<1, 3, Number> &a2) const
     {
       using std::sqrt;
-      Tensor<1, 3, Number> b = a1 / Number(sqrt(a1 * a1));
+      Tensor<1, 3, Number> b = a1 / Number(sqrt(Number(a1 * a1)));
       if (axis == OffsetAxis::averaged)
-        b += Number(a1 * a2 < 0. ? -1. : 1.) / Number(sqrt(a2 * a2)) * a2;
-      const Tensor<1, 3, Number> tau    = b / Number(sqrt(b * b));
+        b += Number((a1 * a2 < 0. ? -1. : 1.) / Number(sqrt(Number(a2 * a2)))) *
+             a2;
+      const Tensor<1, 3, Number> tau    = b / Number(sqrt(Number(b * b)));
       const Tensor<1, 3, Number> d      = r1 - r2;
       const Number               offset = d * tau;
       const Tensor<1, 3, Number> normal = d - offset * tau;
-      return law.energy(offset, Number(sqrt(normal * normal) - sum_of_radii));
+      return law.energy(offset,
+                        Number(sqrt(Number(normal * normal)) - sum_of_radii));
     }
 
     /** Distance of two centerlines from which on the law is zero [length]. */
