@@ -192,10 +192,28 @@ namespace Setae
     }
 
     void
+    check_offset(const InteractionParameters &interaction,
+                 const bool                   has_offset)
+    {
+      const std::string path    = "interactions/" + interaction.name + "/";
+      const std::string allowed = "left out with the law '" + interaction.law +
+                                  "', which knows no offset";
+      require(has_offset || interaction.frame == "averaged",
+              path + "frame",
+              interaction.frame,
+              allowed);
+      require(has_offset || interaction.interaction_moments,
+              path + "interaction moments",
+              "false",
+              allowed);
+    }
+
+    void
     check_interaction(const InteractionParameters &interaction)
     {
       Laws::dispatch(interaction.law, [&](auto tag) {
         using Law = typename decltype(tag)::type;
+        check_offset(interaction, Law::depends_on == Invariants::gap_offset);
         if constexpr (std::is_same_v<Law, PenaltyContact>)
           check_contact(interaction);
         else

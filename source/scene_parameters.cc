@@ -256,14 +256,35 @@ namespace Setae
                       "that the search is repeated only when points have moved "
                       "by half of it [length]; 0 takes half of the cutoff.",
                       non_negative());
+    prm.add_parameter("integration rule",
+                      integration_rule,
+                      "The rule of every integration segment: 'gauss', or "
+                      "'midpoint', which has one point. Many equal segments "
+                      "with the midpoint rule converge fast for sharply "
+                      "peaked laws of two sections once the points are closer "
+                      "than half of the gap (ISSIP Sec. 6.7).",
+                      Patterns::Selection("gauss|midpoint"));
     prm.add_parameter("integration segments",
                       n_segments,
-                      "Equal parts of a cell, each with its own Gauss points.",
+                      "Equal parts of a cell, each with its own points.",
                       positive_integer());
     prm.add_parameter("gauss points",
                       n_gauss_points,
-                      "Gauss points per integration segment.",
+                      "Gauss points per integration segment; the midpoint rule "
+                      "does not use them.",
                       positive_integer());
+    prm.add_parameter("frame",
+                      frame,
+                      "For a law of the offset, along what it is measured: the "
+                      "sum of both unit tangents ('averaged'), or the tangent "
+                      "of the source ('source', ISSIP Sec. 5.3).",
+                      Patterns::Selection("averaged|source"));
+    prm.add_parameter("interaction moments",
+                      interaction_moments,
+                      "For a law of the offset, whether the sections exert "
+                      "moments on each other as the energy asks for. Without "
+                      "them (ISSIP eq. 50) moments are not in balance, there "
+                      "is no potential, and instabilities cannot be passed.");
   }
 
 

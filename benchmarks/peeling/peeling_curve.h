@@ -18,8 +18,8 @@
 namespace Setae
 {
   /**
-   * Two adhesive fibers are pulled apart (SBIP Sec. 8.1): what the benchmarks of
-   * this folder have in common.
+   * Two adhesive fibers are pulled apart (SBIP Sec. 8.1): what the benchmarks
+   * of this folder have in common.
    */
   namespace Peeling
   {
@@ -45,7 +45,8 @@ namespace Setae
 
     /** The quadrature of a cell. */
     inline Overrides
-    integration(const unsigned int n_segments, const unsigned int n_gauss_points)
+    integration(const unsigned int n_segments,
+                const unsigned int n_gauss_points)
     {
       return {"interactions/adhesion/integration segments=" +
                 std::to_string(n_segments),
@@ -64,10 +65,10 @@ namespace Setae
       // Two cylinders: SBIP eq. 31 with the constant corrected. Two lines of
       // disks with the law of the power 7/2 - m: as the gap closes the integral
       // over one line adds 1/2 to the power, and -8 c_12' / g^9 = 2 c_6' / g^3.
-      const double equilibrium =
-        law == "disk-disk" ? std::pow(7. / 80. * k12 / -k6, 1. / 6.) :
-                             .64170 * std::pow(k12 / -k6, 1. / 6.);
-      const auto number = [](const double value) {
+      const double equilibrium = law == "disk-disk" ?
+                                   std::pow(7. / 80. * k12 / -k6, 1. / 6.) :
+                                   .64170 * std::pow(k12 / -k6, 1. / 6.);
+      const auto   number      = [](const double value) {
         std::ostringstream text;
         text.precision(10);
         text << value;
@@ -122,7 +123,8 @@ namespace Setae
                points.begin();
       }
 
-      /** The largest force, by the parabola through the three highest points. */
+      /** The largest force, by the parabola through the three highest points.
+       */
       Peak
       peak() const
       {
@@ -138,7 +140,7 @@ namespace Setae
         const double ab = b.opening - a.opening, bc = c.opening - b.opening;
         const double s         = (b.force - a.force) / ab;
         const double curvature = ((c.force - b.force) / bc - s) / (ab + bc);
-        const double x = .5 * (a.opening + b.opening - s / curvature);
+        const double x         = .5 * (a.opening + b.opening - s / curvature);
         return {x,
                 a.force + (x - a.opening) * (s + curvature * (x - b.opening))};
       }
@@ -150,6 +152,22 @@ namespace Setae
         const std::size_t n = n_bonded();
         return n < points.size() ? points[n - 1].opening :
                                    std::numeric_limits<double>::quiet_NaN();
+      }
+
+      /** The force of the bonded fibers at an opening, between two points. */
+      double
+      force(const double opening) const
+      {
+        const auto end = points.begin() + n_bonded();
+        const auto b =
+          std::find_if(points.begin() + 1, end, [opening](const Point &p) {
+            return p.opening >= opening;
+          });
+        if (b == end)
+          return std::numeric_limits<double>::quiet_NaN();
+        const auto a = b - 1;
+        return a->force + (b->force - a->force) * (opening - a->opening) /
+                            (b->opening - a->opening);
       }
 
       /** The bonded point closest to an opening. */
@@ -167,15 +185,27 @@ namespace Setae
 
 
 
+    /** What a load step without a solution means. */
+    enum class Ending
+    {
+      is_an_error,
+      /** Interactions without a potential end where the fibers let go. */
+      is_the_end_of_the_curve
+    };
+
+
+
     /**
      * Run a scene with two fibers, the second of which is pulled in x by a
      * support called 'right'.
      *
      * @param prm The text of the scene.
-     * @throws ExcRun where a load step has no solution.
+     * @throws ExcRun where a load step has no solution, if that is an error.
      */
     inline Curve
-    run(const std::string &prm, const Overrides &overrides = {})
+    run(const std::string &prm,
+        const Overrides   &overrides = {},
+        const Ending       ending    = Ending::is_an_error)
     {
       const Scene        scene = Scene::read(prm, "peeling.prm", overrides);
       std::ostringstream log;
@@ -194,20 +224,31 @@ namespace Setae
                scene.fibers[1].radius;
       };
 
-      Curve curve;
-      curve.summary = problem.run([&](const StepRecord &record) {
-        const auto support =
-          std::find_if(record.supports.begin(),
-                       record.supports.end(),
-                       [](const SupportReport &s) { return s.name == "right"; });
-        const State state = problem.state();
+      Curve      curve;
+      const auto add_point = [&](const StepRecord &record) {
+        const auto  support = std::find_if(record.supports.begin(),
+                                          record.supports.end(),
+                                          [](const SupportReport &s) {
+                                            return s.name == "right";
+                                          });
+        const State state   = problem.state();
         curve.points.push_back({record.time,
                                 gap(state, 0.) / length,
                                 support->reaction[0],
                                 record.evaluation.energy,
                                 gap(state, .5 * length),
                                 record.is_snap});
-      });
+        curve.summary.add(record);
+      };
+      try
+        {
+          curve.summary = problem.run(add_point);
+        }
+      catch (const ExcRun &)
+        {
+          if (ending == Ending::is_an_error)
+            throw;
+        }
       curve.sections = program_sections(problem.timer_output());
       return curve;
     }
@@ -223,14 +264,15 @@ namespace Setae
     };
 
     /**
-     * Compare the forces at the times that both curves have while the fibers are
-     * bonded in both of them.
+     * Compare the forces at the times that both curves have while the fibers
+     * are bonded in both of them.
      */
     inline Difference
     largest_difference(const Curve &curve, const Curve &reference)
     {
       Difference        result;
-      const std::size_t n = curve.n_bonded(), n_reference = reference.n_bonded();
+      const std::size_t n           = curve.n_bonded(),
+                        n_reference = reference.n_bonded();
       for (std::size_t i = 1, j = 1; i < n && j < n_reference;)
         {
           const Point &a = curve.points[i], &b = reference.points[j];

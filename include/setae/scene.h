@@ -80,17 +80,20 @@ namespace Setae
     unsigned int              n_excluded_neighbors = 2;
     std::vector<unsigned int> exponents            = {6, 12};
     std::vector<double>       prefactors;
-    std::string               distribution    = "volume";
-    std::string               strength        = "1";
-    double                    penalty         = 0.;
-    double                    equilibrium_gap = 0.;
-    double                    force_minimum   = 0.;
-    double                    cutoff          = 0.;
-    double                    switch_width    = .1;
-    double                    regularization  = 0.;
-    double                    skin            = 0.;
-    unsigned int              n_segments      = 2;
-    unsigned int              n_gauss_points  = 10;
+    std::string               distribution        = "volume";
+    std::string               strength            = "1";
+    double                    penalty             = 0.;
+    double                    equilibrium_gap     = 0.;
+    double                    force_minimum       = 0.;
+    double                    cutoff              = 0.;
+    double                    switch_width        = .1;
+    double                    regularization      = 0.;
+    double                    skin                = 0.;
+    std::string               integration_rule    = "gauss";
+    unsigned int              n_segments          = 2;
+    unsigned int              n_gauss_points      = 10;
+    std::string               frame               = "averaged";
+    bool                      interaction_moments = true;
 
     void
     add_parameters(dealii::ParameterHandler &prm);

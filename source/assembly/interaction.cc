@@ -5,6 +5,7 @@
 
 #include <setae/assembly/interaction.h>
 #include <setae/base/exceptions.h>
+#include <setae/interactions/offset_sections.h>
 #include <setae/interactions/section_beam.h>
 #include <setae/interactions/section_section.h>
 #include <setae/laws/all.h>
@@ -30,6 +31,12 @@ namespace Setae
     };
 
     template <typename Law>
+    struct KernelOf<Invariants::gap_offset, Law>
+    {
+      using type = OffsetSections<Law>;
+    };
+
+    template <typename Law>
     struct KernelOf<Invariants::gap_angle, Law>
     {
       using type = SectionBeam<Law>;
@@ -37,6 +44,15 @@ namespace Setae
 
     template <typename Law>
     using Kernel = typename KernelOf<Law::depends_on, Law>::type;
+
+    Quadrature<1>
+    integration_rule(const InteractionParameters &parameters)
+    {
+      if (parameters.integration_rule == "midpoint")
+        return QIterated<1>(QMidpoint<1>(), parameters.n_segments);
+      return QIterated<1>(QGauss<1>(parameters.n_gauss_points),
+                          parameters.n_segments);
+    }
 
     SectionPair
     section_pair(const InteractionParameters &parameters,
@@ -176,8 +192,7 @@ namespace Setae
         : fibers(fibers)
         , parameters(parameters)
         , roles(fibers, parameters)
-        , rule(QIterated<1>(QGauss<1>(parameters.n_gauss_points),
-                            parameters.n_segments))
+        , rule(integration_rule(parameters))
         , strength("interactions/" + parameters.name + "/strength",
                    parameters.strength,
                    "t",
@@ -248,12 +263,19 @@ namespace Setae
             if (add_pair(
                   state, source, target, source_sites, strength, request))
               {
-                local.symmetrize();
+                if (has_potential())
+                  local.symmetrize();
                 energy += local.energy;
                 system.add(source, target, local);
               }
           });
         return energy;
+      }
+
+      bool
+      has_potential() const override
+      {
+        return !has_offset || parameters.interaction_moments;
       }
 
       GapReport
@@ -289,30 +311,49 @@ namespace Setae
         std::map<unsigned int, std::vector<SiteForce>> sums;
         const double strength = this->strength(state.time);
 
-        for_each_pair(
-          state,
-          [&](const unsigned int           source,
-              const unsigned int           target,
-              const std::vector<LineSite> &source_sites) {
-            const HermiteCell<> &cell = state.current[target];
-            const double factor       = strength * roles.factor(source, target);
-            if constexpr (is_projected)
-              for (const LineSite &site : source_sites)
-                kernel(source, target)
-                  .forces(
-                    site, cell, fibers.ends_of_cell(target), factor, forces);
-            else
-              {
-                evaluate_sites(rule,
-                               fibers.initial[target],
-                               cell,
-                               target_sites);
-                kernel(source, target)
-                  .add_forces(source_sites, target_sites, factor, sums[source]);
-                kernel(source, target)
-                  .add_forces(target_sites, source_sites, factor, sums[target]);
-              }
-          });
+        for_each_pair(state,
+                      [&](const unsigned int           source,
+                          const unsigned int           target,
+                          const std::vector<LineSite> &source_sites) {
+                        const HermiteCell<> &cell = state.current[target];
+                        const Kernel<Law>   &kernel =
+                          this->kernel(source, target);
+                        const double factor =
+                          strength * roles.factor(source, target);
+                        if constexpr (is_projected)
+                          for (const LineSite &site : source_sites)
+                            kernel.forces(site,
+                                          cell,
+                                          fibers.ends_of_cell(target),
+                                          factor,
+                                          forces);
+                        else
+                          {
+                            evaluate_sites(rule,
+                                           fibers.initial[target],
+                                           cell,
+                                           target_sites);
+                            std::vector<SiteForce> &on_source = sums[source],
+                                                   &on_target = sums[target];
+                            if constexpr (has_offset)
+                              kernel.add_forces(source_sites,
+                                                target_sites,
+                                                factor,
+                                                on_source,
+                                                on_target);
+                            else
+                              {
+                                kernel.add_forces(source_sites,
+                                                  target_sites,
+                                                  factor,
+                                                  on_source);
+                                kernel.add_forces(target_sites,
+                                                  source_sites,
+                                                  factor,
+                                                  on_target);
+                              }
+                          }
+                      });
         for (const auto &[cell, sites] : sums)
           forces.insert(forces.end(), sites.begin(), sites.end());
       }
@@ -321,6 +362,9 @@ namespace Setae
       static constexpr bool is_projected =
         Law::depends_on == Invariants::gap_angle ||
         Law::depends_on == Invariants::gap_angle_tilt;
+
+      static constexpr bool has_offset =
+        Law::depends_on == Invariants::gap_offset;
 
       static constexpr bool is_contact = std::is_same_v<Law, PenaltyContact>;
 
@@ -342,15 +386,28 @@ namespace Setae
                              fibers.scene.fibers[key.first],
                              fibers.scene.fibers[key.second]);
               check_equal(sections);
-              const double      radii = sections.radius_1 + sections.radius_2;
-              const Kernel<Law> kernel(make_law<Law>(parameters, sections),
-                                       radii);
+              const Kernel<Law> kernel = make_kernel(sections);
               kernels.emplace(key, kernel);
               reach           = std::max(reach, kernel.reach());
               smallest_radius = std::min(
                 {smallest_radius, sections.radius_1, sections.radius_2});
             }
         return reach;
+      }
+
+      Kernel<Law>
+      make_kernel(const SectionPair &sections) const
+      {
+        const Law    law   = make_law<Law>(parameters, sections);
+        const double radii = sections.radius_1 + sections.radius_2;
+        if constexpr (has_offset)
+          return {law,
+                  radii,
+                  parameters.frame == "source" ? OffsetAxis::source :
+                                                 OffsetAxis::averaged,
+                  parameters.interaction_moments};
+        else
+          return {law, radii};
       }
 
       void
@@ -422,7 +479,8 @@ namespace Setae
         const double         reach_square = kernel.reach() * kernel.reach();
         const BoundingBox<3> box          = bounding_box(cell.control_points());
 
-        bool is_near = false;
+        bool   is_near = false;
+        double spacing = 0.;
         for (const LineSite &site : source_sites)
           {
             if (distance_square(box, site.r) >= reach_square)
@@ -436,6 +494,11 @@ namespace Setae
                                  fibers.initial[target],
                                  cell,
                                  target_sites);
+                if constexpr (has_offset)
+                  {
+                    spacing = kernel.largest_spacing(target_sites);
+                    sums.start(target_sites.size(), request);
+                  }
               }
             double gap;
             if constexpr (is_projected)
@@ -445,10 +508,16 @@ namespace Setae
                                factor * site.weight,
                                request,
                                local);
+            else if constexpr (has_offset)
+              gap = kernel.add(
+                site, target_sites, spacing, factor, request, sums, local);
             else
               gap = kernel.add(site, target_sites, factor, request, local);
             report.see({gap, source, target, site.x});
           }
+        if constexpr (has_offset)
+          if (is_near)
+            sums.finish(target_sites, local);
         return is_near;
       }
 
@@ -470,6 +539,7 @@ namespace Setae
 
       // Scratch, to save allocations.
       LocalSystem<24>               local;
+      SitePairSums                  sums;
       mutable std::vector<LineSite> target_sites;
     };
   } // namespace

@@ -4,8 +4,6 @@
 // Residual and tangent matrix of the sites of two cells against automatic and
 // numerical derivatives, and the balance laws.
 
-#include <deal.II/base/quadrature_lib.h>
-
 #include <gtest/gtest.h>
 
 #include <setae/interactions/section_section.h>
@@ -18,7 +16,7 @@
 #include <vector>
 
 #include "../nested_sacado.h"
-#include "cell_pair.h"
+#include "line_pair.h"
 
 using namespace Setae;
 
@@ -69,46 +67,6 @@ namespace
             sections.radius_1 + sections.radius_2};
   }
 
-  std::vector<LineSite>
-  sites(const HermiteCell<> &cell, const unsigned int n)
-  {
-    std::vector<LineSite> result;
-    evaluate_sites(dealii::QGauss<1>(n), cell, cell, result);
-    return result;
-  }
-
-  /** Two cells and the sites on them, whose weights stay as they are. */
-  struct Configuration
-  {
-    explicit Configuration(const CellPair &cells, const unsigned int n = 3)
-      : cells(cells)
-      , source_sites(sites(cells.source, n))
-      , target_sites(sites(cells.target, n + 1))
-    {}
-
-    CellPair              cells;
-    std::vector<LineSite> source_sites, target_sites;
-
-    /** The same sites on moved cells. */
-    Configuration
-    with(const CellPair &moved) const
-    {
-      Configuration result = *this;
-      result.cells         = moved;
-      for (LineSite &s : result.source_sites)
-        {
-          s.r   = moved.source.combine(s.N);
-          s.r_x = moved.source.combine(s.N_x);
-        }
-      for (LineSite &s : result.target_sites)
-        {
-          s.r   = moved.target.combine(s.N);
-          s.r_x = moved.target.combine(s.N_x);
-        }
-      return result;
-    }
-  };
-
   template <typename Interaction>
   LocalSystem<24>
   by_hand(const Interaction &interaction, const Configuration &c)
@@ -133,28 +91,6 @@ namespace
         energy += (factor * s.weight * t.weight) *
                   interaction.energy(source.combine(s.N), target.combine(t.N));
     return local_system<24>(energy);
-  }
-
-  /**
-   * Two random cells that are closest, at the given distance, at the first site
-   * of the source and the second of the target.
-   */
-  Configuration
-  random_configuration(std::mt19937      &random,
-                       const double       bend,
-                       const double       distance,
-                       const unsigned int n = 3)
-  {
-    CellPair cells;
-    cells.source    = random_cell(random_direction(random), .4, bend, random);
-    cells.target    = random_cell(random_direction(random), .5, bend, random);
-    const double x  = dealii::QGauss<1>(n).point(0)[0];
-    const double xi = dealii::QGauss<1>(n + 1).point(1)[0];
-    move_to(cells.source,
-            x,
-            cells.target.position(xi) +
-              distance * random_normal_to(cells.target.derivative(xi), random));
-    return Configuration(cells, n);
   }
 
   template <typename Interaction>

@@ -89,6 +89,10 @@ interactions/adhesion/law|gravity|disk-disk
 interactions/adhesion/source|nobody|all, left, right
 interactions/adhesion/target|nobody|all, left, right
 interactions/adhesion/two half passes|maybe|Bool
+interactions/adhesion/integration rule|simpson|gauss|midpoint
+interactions/adhesion/frame|target|averaged|source
+interactions/adhesion/frame|source|left out with the law 'disk-cylinder'
+interactions/adhesion/interaction moments|false|left out with the law 'disk-cylinder'
 interactions/adhesion/prefactors|-1, 1|'equilibrium gap' and 'force minimum'
 interactions/adhesion/exponents|6, 10|6, 12 with an equilibrium gap
 interactions/adhesion/equilibrium gap|0|positive

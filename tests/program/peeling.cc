@@ -114,28 +114,5 @@ TEST(Peeling, ConvergesQuadratically)
                   "newton/log iterations=true"});
   scene.run();
 
-  // The norms of the increments of the last load step, from the log.
-  std::vector<double> increments;
-  std::istringstream  log(scene.screen.str());
-  for (std::string word; log >> word;)
-    if (word == "iteration")
-      {
-        unsigned int i;
-        log >> i;
-        if (i == 1)
-          increments.clear();
-      }
-    else if (word == "increment")
-      {
-        increments.emplace_back();
-        log >> increments.back();
-      }
-  while (increments.size() > 3 && increments.back() < 1e-12)
-    increments.pop_back();
-  ASSERT_GE(increments.size(), 4u);
-  const unsigned int n = increments.size();
-  const double       a = increments[n - 3], b = increments[n - 2],
-               c = increments[n - 1];
-  EXPECT_LT(b, .2 * a);
-  EXPECT_LT(c, 10. * (b / (a * a)) * b * b);
+  expect_quadratic_convergence(scene.increments_of_last_step());
 }

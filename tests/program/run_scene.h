@@ -4,6 +4,8 @@
 #ifndef setae_tests_program_run_scene_h
 #define setae_tests_program_run_scene_h
 
+#include <gtest/gtest.h>
+
 #include <setae/fiber_problem.h>
 
 #include <fstream>
@@ -19,7 +21,7 @@ namespace Setae
    */
   struct SceneRun
   {
-    explicit SceneRun(const std::string &             name,
+    explicit SceneRun(const std::string              &name,
                       const std::vector<std::string> &overrides = {})
     {
       const std::string  file_name = SETAE_SCENES "/" + name + ".prm";
@@ -37,11 +39,50 @@ namespace Setae
         [this](const StepRecord &record) { records.push_back(record); });
     }
 
+    /** The norms of the increments of the last load step, from the log. */
+    std::vector<double>
+    increments_of_last_step() const
+    {
+      std::vector<double> increments;
+      std::istringstream  log(screen.str());
+      for (std::string word; log >> word;)
+        if (word == "iteration")
+          {
+            unsigned int i;
+            log >> i;
+            if (i == 1)
+              increments.clear();
+          }
+        else if (word == "increment")
+          {
+            increments.emplace_back();
+            log >> increments.back();
+          }
+      return increments;
+    }
+
     std::ostringstream            screen;
     std::unique_ptr<FiberProblem> problem;
     std::vector<StepRecord>       records;
     RunSummary                    summary;
   };
+
+
+
+  /** The norms of the increments of a Newton iteration fall as their squares.
+   */
+  inline void
+  expect_quadratic_convergence(std::vector<double> increments)
+  {
+    while (increments.size() > 3 && increments.back() < 1e-12)
+      increments.pop_back();
+    ASSERT_GE(increments.size(), 4u);
+    const unsigned int n = increments.size();
+    const double       a = increments[n - 3], b = increments[n - 2],
+                 c = increments[n - 1];
+    EXPECT_LT(b, .2 * a);
+    EXPECT_LT(c, 10. * (b / (a * a)) * b * b);
+  }
 } // namespace Setae
 
 #endif

@@ -39,6 +39,41 @@ namespace Setae
               factor * law.cc};
     }
   };
+
+
+
+  /**
+   * Value and derivatives of a law of the offset o and the gap g.
+   */
+  struct OffsetGapDerivatives
+  {
+    double value = 0.;
+    double o = 0., g = 0.;
+    double oo = 0., og = 0., gg = 0.;
+
+    OffsetGapDerivatives &
+    operator+=(const OffsetGapDerivatives &other)
+    {
+      value += other.value;
+      o += other.o;
+      g += other.g;
+      oo += other.oo;
+      og += other.og;
+      gg += other.gg;
+      return *this;
+    }
+
+    friend OffsetGapDerivatives
+    operator*(const double factor, const OffsetGapDerivatives &law)
+    {
+      return {factor * law.value,
+              factor * law.o,
+              factor * law.g,
+              factor * law.oo,
+              factor * law.og,
+              factor * law.gg};
+    }
+  };
 } // namespace Setae
 
 #endif

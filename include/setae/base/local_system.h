@@ -47,6 +47,21 @@ namespace Setae
     }
 
     /**
+     * Add @p factor times a 3 by 3 block to the tangent matrix.
+     */
+    template <typename Block>
+    void
+    add_block(const unsigned int row,
+              const unsigned int column,
+              const double       factor,
+              const Block       &block)
+    {
+      for (unsigned int c = 0; c < 3; ++c)
+        for (unsigned int e = 0; e < 3; ++e)
+          tangent[row + c][column + e] += factor * block[c][e];
+    }
+
+    /**
      * Copy the lower triangle of the tangent matrix to the upper one.
      */
     void

@@ -87,7 +87,7 @@ namespace Setae
               const Tensor<2, 3> N_a_H = target.N[a] * H_pair;
               N_H[a] += N_a_H;
               for (unsigned int b = 0; b <= a; ++b)
-                add_block(12 + 3 * a, 12 + 3 * b, target.N[b], N_a_H, local);
+                local.add_block(12 + 3 * a, 12 + 3 * b, target.N[b], N_a_H);
             }
         }
 
@@ -100,8 +100,8 @@ namespace Setae
           for (unsigned int b = 0; b < 4; ++b)
             {
               if (b <= a)
-                add_block(3 * a, 3 * b, source.N[a] * source.N[b], H, local);
-              add_block(12 + 3 * a, 3 * b, -source.N[b], N_H[a], local);
+                local.add_block(3 * a, 3 * b, source.N[a] * source.N[b], H);
+              local.add_block(12 + 3 * a, 3 * b, -source.N[b], N_H[a]);
             }
       return smallest_gap;
     }
@@ -155,18 +155,6 @@ namespace Setae
     }
 
   private:
-    static void
-    add_block(const unsigned int  row,
-              const unsigned int  column,
-              const double        factor,
-              const Tensor<2, 3> &H,
-              LocalSystem<24>    &local)
-    {
-      for (unsigned int c = 0; c < 3; ++c)
-        for (unsigned int e = 0; e < 3; ++e)
-          local.tangent[row + c][column + e] += factor * H[c][e];
-    }
-
     Law    law;
     double sum_of_radii;
   };

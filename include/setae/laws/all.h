@@ -8,13 +8,14 @@
 #include <setae/laws/disk_cylinder.h>
 #include <setae/laws/disk_disk.h>
 #include <setae/laws/multipole.h>
+#include <setae/laws/offset_disks.h>
 #include <setae/laws/penalty_contact.h>
 
 namespace Setae
 {
   /** The laws that reduce the potential between the points of two fibers. */
   using PotentialLaws =
-    TypeList<DiskDisk, DiskCylinder, Multipole<1>, Multipole<2>>;
+    TypeList<DiskDisk, OffsetDisks, DiskCylinder, Multipole<1>, Multipole<2>>;
 
   /** All interaction laws that a scene can choose from. */
   using Laws = PotentialLaws::with<PenaltyContact>;

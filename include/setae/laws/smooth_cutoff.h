@@ -11,10 +11,53 @@
 namespace Setae
 {
   /**
-   * Switches a function of the gap off between the gaps @p begin and @p end
-   * by the factor @f$1-10x^3+15x^4-6x^5@f$, x from 0 to 1: the energy keeps two
-   * continuous derivatives, so neither force nor stiffness jumps when a pair of
-   * points enters or leaves. @p end = infinity means no cutoff.
+   * A factor that falls from one to zero between the gaps @p begin and @p end,
+   * @f$1-10x^3+15x^4-6x^5@f$ with x from 0 to 1. It has two continuous
+   * derivatives, so neither force nor stiffness jumps when a pair of points
+   * enters or leaves. @p end = infinity means that it is always one.
+   */
+  class CutoffSwitch
+  {
+  public:
+    CutoffSwitch(const double begin, const double end)
+      : begin(begin)
+      , end(end)
+    {}
+
+    template <typename Number>
+    Number
+    value(const Number &gap) const
+    {
+      if (gap >= end)
+        return Number(0.);
+      if (gap <= begin)
+        return Number(1.);
+      const Number x = (gap - begin) / (end - begin);
+      return 1. - x * x * x * (10. - x * (15. - 6. * x));
+    }
+
+    GapDerivatives
+    derivatives(const double gap) const
+    {
+      if (gap >= end)
+        return {};
+      if (gap <= begin)
+        return {1., 0., 0.};
+      const double width = end - begin;
+      const double x     = (gap - begin) / width;
+      const double y     = 1. - x;
+      return {1. - x * x * x * (10. - x * (15. - 6. * x)),
+              -30. * x * x * y * y / width,
+              -60. * x * y * (1. - 2. * x) / (width * width)};
+    }
+
+    double begin, end;
+  };
+
+
+
+  /**
+   * Switches a function of the gap off by CutoffSwitch.
    */
   template <typename Function>
   class SmoothCutoff
@@ -22,15 +65,14 @@ namespace Setae
   public:
     SmoothCutoff(const Function &function, const double begin, const double end)
       : function(function)
-      , begin(begin)
-      , end(end)
+      , factor(begin, end)
     {}
 
     /** The gap [length] from which on the function is zero. */
     double
     cutoff() const
     {
-      return end;
+      return factor.end;
     }
 
     /** Whether the function is defined at @p gap. */
@@ -44,39 +86,30 @@ namespace Setae
     Number
     value(const Number &gap) const
     {
-      if (gap >= end)
+      if (gap >= factor.end)
         return Number(0.);
-      if (gap <= begin)
+      if (gap <= factor.begin)
         return function.value(gap);
-      const Number x = (gap - begin) / (end - begin);
-      return function.value(gap) *
-             (1. - x * x * x * (10. - x * (15. - 6. * x)));
+      return function.value(gap) * factor.value(gap);
     }
 
     GapDerivatives
     derivatives(const double gap) const
     {
-      if (gap >= end)
+      if (gap >= factor.end)
         return {};
       const GapDerivatives f = function.derivatives(gap);
-      if (gap <= begin)
+      if (gap <= factor.begin)
         return f;
-
-      const double width = end - begin;
-      const double x     = (gap - begin) / width;
-      const double y     = 1. - x;
-      const double s     = 1. - x * x * x * (10. - x * (15. - 6. * x));
-      const double s_g   = -30. * x * x * y * y / width;
-      const double s_gg  = -60. * x * y * (1. - 2. * x) / (width * width);
-      return {f.value * s,
-              f.first * s + f.value * s_g,
-              f.second * s + 2. * f.first * s_g + f.value * s_gg};
+      const GapDerivatives s = factor.derivatives(gap);
+      return {f.value * s.value,
+              f.first * s.value + f.value * s.first,
+              f.second * s.value + 2. * f.first * s.first + f.value * s.second};
     }
 
   private:
-    Function function;
-    double   begin;
-    double   end;
+    Function     function;
+    CutoffSwitch factor;
   };
 } // namespace Setae
 
