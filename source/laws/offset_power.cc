@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 The Setae authors
 
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
 #include <setae/laws/offset_power.h>
 
 #include <array>
@@ -10,18 +12,17 @@ namespace Setae
 {
   namespace
   {
-    // More digits than the result has to have: the derivatives of a polynomial
-    // amplify the errors of its coefficients.
-    using Real = long double;
+    // More digits than the result has to have: the second derivative of a
+    // polynomial amplifies the errors of its coefficients.
+    using Real = boost::multiprecision::cpp_bin_float_quad;
 
     /** Gauss' series, which converges at least as fast as @f$2^{-j}@f$ here. */
     Real
-    gauss_series(const Real a, const Real b, const Real c, const Real w)
+    gauss_series(const Real &a, const Real &b, const Real &c, const Real &w)
     {
-      Real term = 1., sum = 0.;
+      Real term = 1, sum = 0;
       for (unsigned int j = 0;
-           std::abs(term) >
-           std::numeric_limits<Real>::epsilon() * std::abs(sum);
+           abs(term) > std::numeric_limits<Real>::epsilon() * abs(sum);
            ++j)
         {
           sum += term;
@@ -38,14 +39,20 @@ namespace Setae
     std::array<Real, n>
     chebyshev_interpolant(const Function &function)
     {
-      const Real          pi = std::acos(Real(-1.));
+      const Real          pi = acos(Real(-1));
       std::array<Real, n> result{};
       for (unsigned int j = 0; j < n; ++j)
         {
-          const Real angle = pi * (j + Real(.5)) / n;
-          const Real value = function(std::cos(angle));
+          const Real x     = cos(Real(pi * (2 * j + 1) / (2 * n)));
+          const Real value = function(x);
+          Real       T = 1, T_next = x;
           for (unsigned int i = 0; i < n; ++i)
-            result[i] += (i == 0 ? 1 : 2) * value * std::cos(i * angle) / n;
+            {
+              result[i] += (i == 0 ? 1 : 2) * value * T / n;
+              const Real T_after_next = 2 * x * T_next - T;
+              T                       = T_next;
+              T_next                  = T_after_next;
+            }
         }
       return result;
     }
@@ -57,16 +64,16 @@ namespace Setae
   OffsetPower::polynomial() const
   {
     // The coefficients fall as (3 + sqrt(8))^-i, since F is singular at w = 1
-    // only. Beyond the 20th they are smaller than a rounding error even in the
-    // second derivative, where they count i^4 / 3 times.
-    constexpr unsigned int n = 24;
+    // only. Those are left out that are of the size of rounding errors even in
+    // the second derivative, where they count i^4 / 3 times.
+    constexpr unsigned int n = 30;
     const Real             a = (Real(m) - 5) / 2 + k, b = (7 - Real(m)) / 2 - k;
-    const auto   chebyshev = chebyshev_interpolant<n>([&](const Real x) {
+    const auto   chebyshev = chebyshev_interpolant<n>([&](const Real &x) {
       return gauss_series(a, b, Real(m) / 2, (x + 1) / 4);
     });
     unsigned int size      = n;
-    while (size > 1 && std::abs(chebyshev[size - 1]) * std::pow(size, 4) <
-                         std::numeric_limits<double>::epsilon() / 4)
+    while (size > 1 && abs(chebyshev[size - 1]) * pow(Real(size), 4) <
+                         4 * std::numeric_limits<double>::epsilon())
       --size;
 
     // In powers of x instead of Chebyshev polynomials T_i(x), whose
@@ -81,11 +88,16 @@ namespace Setae
         for (unsigned int j = 0; j < n; ++j)
           {
             power[j] += chebyshev[i] * T[j];
-            T_after_next[j] = (j > 0 ? 2 * T_next[j - 1] : 0) - T[j];
+            T_after_next[j] = -T[j];
+            if (j > 0)
+              T_after_next[j] += 2 * T_next[j - 1];
           }
         T      = T_next;
         T_next = T_after_next;
       }
-    return std::vector<double>(power.begin(), power.begin() + size);
+    std::vector<double> result;
+    for (unsigned int i = 0; i < size; ++i)
+      result.push_back(static_cast<double>(power[i]));
+    return result;
   }
 } // namespace Setae
