@@ -9,6 +9,9 @@
 #include <setae/base/lanes.h>
 #include <setae/laws/point_potential.h>
 
+#include <array>
+#include <utility>
+
 namespace Setae
 {
   /**
@@ -29,6 +32,14 @@ namespace Setae
     explicit PointLaw(PointPotential potential)
       : potential(std::move(potential))
     {}
+
+    /** The square of the distance, which the law is a function of. */
+    template <typename Number>
+    DEAL_II_ALWAYS_INLINE Number
+    coordinate(const std::array<Number, 3> &d) const
+    {
+      return d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+    }
 
     /** Energy and radial derivative, on numbers or Lanes. */
     template <typename Number>
@@ -66,7 +77,6 @@ namespace Setae
     static DEAL_II_ALWAYS_INLINE Number
     inverse_power(const Number &inverse_square, const unsigned int exponent)
     {
-      using std::sqrt;
       Number base   = inverse_square;
       Number result = 1. + 0. * base;
       if (exponent % 2 == 1)
