@@ -62,10 +62,10 @@ namespace Setae
       }
 
       /** Over all lanes and ranks. */
-      Resultant
+      SolidResultant
       result(const MPI_Comm communicator) const
       {
-        Resultant total;
+        SolidResultant total;
         total.energy = Utilities::MPI::sum(sum(energy), communicator);
         for (unsigned int c = 0; c < 3; ++c)
           {
@@ -194,7 +194,7 @@ namespace Setae
         return n;
       }
 
-      Resultant
+      SolidResultant
       sum(const unsigned int n_points, const PointLaw &law) const
       {
         const unsigned int rank =

@@ -4,18 +4,17 @@
 #ifndef setae_verification_full_quadrature_h
 #define setae_verification_full_quadrature_h
 
+#include <setae/interactions/resultant.h>
 #include <setae/laws/point_law.h>
 #include <setae/scene.h>
 #include <setae/verification/solid_body.h>
 
 namespace Setae
 {
-  /** The interaction of two bodies, with what it does to the first one. */
-  struct Resultant
+  /** With the moment as well. */
+  struct SolidResultant : Resultant
   {
-    double       energy = 0.; ///< [energy]
-    Tensor<1, 3> force;       ///< [force]
-    Tensor<1, 3> moment;      ///< about the origin [force length]
+    Tensor<1, 3> moment; ///< on the first body, about the origin [force length]
   };
 
 
@@ -24,7 +23,7 @@ namespace Setae
   struct FullQuadrature
   {
     /** With the most Gauss points, and with one less in each direction. */
-    Resultant finest, second_finest;
+    SolidResultant finest, second_finest;
 
     /** Gauss points in each direction of the closest cells; 0 if even two are
      * too many for the limits that were set. */
