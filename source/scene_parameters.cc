@@ -399,10 +399,11 @@ namespace Setae
                       "apart by this multiple of their size; positive. Smaller "
                       "means less cells with more Gauss points.",
                       non_negative());
-    prm.add_parameter("gauss points",
-                      max_n_points,
-                      "At most so many in each direction of a cell.",
-                      Patterns::Integer(2));
+    prm.add_parameter(
+      "gauss points",
+      max_n_points,
+      "At most so many in each direction of a cell, at least 3.",
+      Patterns::Integer(3));
     prm.add_parameter("point pairs",
                       max_n_pairs,
                       "At most so many for two fibers; a core does about 1e9 "

@@ -311,48 +311,39 @@ namespace Setae
 
 
 
-  double
-  FullQuadrature::error() const
-  {
-    if (n_points < 2)
-      return std::numeric_limits<double>::infinity();
-    return std::abs((finest.energy - second_finest.energy) / finest.energy);
-  }
-
-
-
-  double
-  FullQuadrature::force_error() const
-  {
-    if (n_points < 2)
-      return std::numeric_limits<double>::infinity();
-    return (finest.force - second_finest.force).norm() / finest.force.norm();
-  }
-
-
-
   FullQuadrature
   full_quadrature(SolidBody                      &first,
                   SolidBody                      &second,
                   const PointLaw                 &law,
                   const FullQuadratureParameters &parameters)
   {
-    FullQuadrature         result;
-    Timer                  timer(first.communicator, true);
-    NodePairs              pairs(first, second, parameters.separation);
-    const bool             is_refined = pairs.refine(parameters.max_n_cells);
-    constexpr unsigned int fewest     = 1;
-    for (unsigned int n = fewest; is_refined && n <= parameters.max_n_points &&
-                                  result.error() > parameters.tolerance;
+    FullQuadrature result;
+    Timer          timer(first.communicator, true);
+    NodePairs      pairs(first, second, parameters.separation);
+    const bool     is_refined   = pairs.refine(parameters.max_n_cells);
+    double         change       = std::numeric_limits<double>::infinity();
+    double         force_change = change;
+    for (unsigned int n = 1; is_refined && n <= parameters.max_n_points &&
+                             result.error > parameters.tolerance;
          ++n)
       {
         const double n_pairs = pairs.count(n);
         if (result.n_pairs + n_pairs > parameters.max_n_pairs)
           break;
+        const SolidResultant previous = result.value;
+        result.value                  = pairs.sum(n, law);
+        result.n_points               = n;
         result.n_pairs += n_pairs;
-        result.second_finest = result.finest;
-        result.finest        = pairs.sum(n, law);
-        result.n_points      = n;
+        if (n == 1)
+          continue;
+
+        const double last_change = change, last_force_change = force_change;
+        change       = std::abs((result.value.energy - previous.energy) /
+                          result.value.energy);
+        force_change = (result.value.force - previous.force).norm() /
+                       result.value.force.norm();
+        result.error       = std::max(change, .25 * last_change);
+        result.force_error = std::max(force_change, .25 * last_force_change);
       }
     result.n_cells = pairs.n_cells();
     timer.stop();

@@ -9,7 +9,7 @@
 #include <setae/verification/verification.h>
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 #include <sstream>
 
 namespace Setae
@@ -142,13 +142,13 @@ namespace Setae
                const std::string    &fibers,
                const FullQuadrature &full)
       {
-        reference = full.finest;
+        reference = full.value;
         add(interaction,
             fibers,
             "6D, " + std::to_string(full.n_points) + " Gauss points",
-            full.finest,
-            full.error(),
-            full.force_error(),
+            full.value,
+            full.error,
+            full.force_error,
             full.cpu_time);
       }
 
@@ -235,7 +235,7 @@ namespace Setae
                                       fibers.fibers[pair.second].name;
             const FullQuadrature full =
               integrate(fibers, state, parameters, pair);
-            if (full.n_points < 2)
+            if (!std::isfinite(full.error))
               {
                 skipped << "'" << names
                         << "' is too close for the limits of 'full 6D "
@@ -255,11 +255,12 @@ namespace Setae
       }
     if (Utilities::MPI::this_mpi_process(fibers.communicator) != 0)
       return;
-    out << "\nVerification of the last state, t = " << state.time
-        << ". 6D: all pairs of points of the fibers as solid bodies, without "
-           "cutoff; its errors\nare estimates (the last change with the number "
-           "of Gauss points), those of the laws are deviations from it, all "
-           "relative.\nForces act on the first fiber.\n";
+    out
+      << "\nVerification of the last state, t = " << state.time
+      << ". 6D: all pairs of points of the fibers as solid bodies, without "
+         "cutoff; its errors\nare estimates from the last changes with the "
+         "number of Gauss points, those of the laws are deviations from it, all "
+         "relative.\nForces act on the first fiber.\n";
     table.print(out);
     out << skipped.str();
   }

@@ -29,10 +29,12 @@ namespace Setae
     return result;
   }
 
-  inline double
-  square_root(const double &x)
+  template <typename Number>
+  Number
+  square_root(const Number &x)
   {
-    return std::sqrt(x);
+    using std::sqrt;
+    return sqrt(x);
   }
 
   inline Lanes

@@ -9,6 +9,8 @@
 #include <setae/scene.h>
 #include <setae/verification/solid_body.h>
 
+#include <limits>
+
 namespace Setae
 {
   /** With the moment as well. */
@@ -22,27 +24,24 @@ namespace Setae
   /** What a full quadrature found, and how sure it is. */
   struct FullQuadrature
   {
-    /** With the most Gauss points, and with one less in each direction. */
-    SolidResultant finest, second_finest;
-
-    /** Gauss points in each direction of the closest cells; 0 if even two are
-     * too many for the limits that were set. */
-    unsigned int n_points = 0;
-
-    double n_pairs  = 0.; ///< pairs of points, of all attempts
-    double n_cells  = 0.; ///< of both meshes
-    double cpu_time = 0.; ///< of all ranks [s]
+    SolidResultant value;
 
     /**
-     * Estimate of the relative error of the energy: its last change. The true
-     * error is usually ten times smaller.
+     * Estimates of the errors of energy and force, relative to these: the
+     * change by the last Gauss point or a quarter of the change by the one
+     * before, whichever is larger, since a change can be small by chance. The
+     * true errors are usually several times smaller. Infinity without three
+     * sums.
      */
-    double
-    error() const;
+    double error       = std::numeric_limits<double>::infinity();
+    double force_error = std::numeric_limits<double>::infinity();
 
-    /** The same for the force, over the norm of the force. */
-    double
-    force_error() const;
+    /** In each direction of the closest cells. */
+    unsigned int n_points = 0;
+
+    double n_pairs  = 0.; ///< pairs of points, of all sums
+    double n_cells  = 0.; ///< of both meshes
+    double cpu_time = 0.; ///< of all ranks [s]
   };
 
 
