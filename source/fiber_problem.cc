@@ -488,7 +488,9 @@ namespace Setae
     if (scene.verification != "none")
       {
         TimerOutput::Scope section(timer, "verification");
-        verify(fibers, state(), pcout.get_stream());
+        const auto         verifications = verify(fibers, state());
+        if (pcout.is_active())
+          print(verifications, pcout.get_stream());
       }
     timer.print_summary();
     return summary;

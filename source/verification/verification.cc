@@ -5,12 +5,11 @@
 #include <deal.II/base/timer.h>
 
 #include <setae/assembly/interaction.h>
-#include <setae/verification/full_quadrature.h>
 #include <setae/verification/verification.h>
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <tuple>
 
 namespace Setae
 {
@@ -32,7 +31,8 @@ namespace Setae
         interaction->update_couplings(state);
 
         // As often as the clock needs to see it.
-        Timer        timer(fibers.communicator, true);
+        Timer timer(fibers.communicator, true);
+        timer.reset();
         unsigned int n_times = 0;
         do
           {
@@ -44,9 +44,10 @@ namespace Setae
         while (Utilities::MPI::max(timer.wall_time(), fibers.communicator) <
                1e-2);
 
-        for (const auto &of_rank :
-             Utilities::MPI::all_gather(fibers.communicator,
-                                        as_list(std::move(pairs))))
+        const auto of_all_ranks =
+          Utilities::MPI::all_gather(fibers.communicator, as_list(pairs));
+        pairs.clear();
+        for (const auto &of_rank : of_all_ranks)
           for (const auto &[pair, energy, force] : of_rank)
             {
               pairs[pair].energy += energy;
@@ -60,14 +61,12 @@ namespace Setae
       using Entry =
         std::tuple<std::pair<unsigned int, unsigned int>, double, Tensor<1, 3>>;
 
-      /** For MPI; leaves nothing behind. */
       static std::vector<Entry>
-      as_list(FiberPairResultants &&pairs)
+      as_list(const FiberPairResultants &pairs)
       {
         std::vector<Entry> list;
         for (const auto &[pair, resultant] : pairs)
           list.emplace_back(pair, resultant.energy, resultant.force);
-        pairs.clear();
         return list;
       }
     };
@@ -134,134 +133,133 @@ namespace Setae
 
 
 
-    class Table
+    /** The parameters with a cutoff that no pair of points reaches. */
+    InteractionParameters
+    without_cutoff(InteractionParameters parameters,
+                   const FiberSystem    &fibers,
+                   const State          &state)
     {
-    public:
-      void
-      add_full(const std::string    &interaction,
-               const std::string    &fibers,
-               const FullQuadrature &full)
-      {
-        reference = full.value;
-        add(interaction,
-            fibers,
-            "6D, " + std::to_string(full.n_points) + " Gauss points",
-            full.value,
-            full.error,
-            full.force_error,
-            full.cpu_time);
-      }
+      parameters.switch_width = .5;
+      parameters.cutoff       = 2.1 * extent(fibers, state);
+      return parameters;
+    }
 
-      /** With the deviation from the full quadrature added last. */
-      void
-      add_law(const std::string &interaction,
-              const std::string &fibers,
-              const std::string &method,
-              const Resultant   &value,
-              const double       cpu_time)
-      {
-        add(interaction,
-            fibers,
-            method,
-            value,
-            value.energy / reference.energy - 1.,
-            (value.force - reference.force).norm() / reference.force.norm(),
-            cpu_time);
-      }
 
-      void
-      print(std::ostream &out)
-      {
-        for (const char *column : {"energy", "force x", "force y", "force z"})
-          {
-            table.set_precision(column, 6);
-            table.set_scientific(column, true);
-          }
-        for (const char *column :
-             {"energy error", "force error", "CPU time [s]"})
-          {
-            table.set_precision(column, 1);
-            table.set_scientific(column, true);
-          }
-        table.write_text(out, TableHandler::org_mode_table);
-      }
 
-    private:
-      void
-      add(const std::string &interaction,
-          const std::string &fibers,
-          const std::string &method,
-          const Resultant   &value,
-          const double       energy_error,
-          const double       force_error,
-          const double       cpu_time)
-      {
-        table.add_value("interaction", interaction);
-        table.add_value("fibers", fibers);
-        table.add_value("method", method);
-        table.add_value("energy", value.energy);
-        table.add_value("energy error", energy_error);
-        table.add_value("force x", value.force[0]);
-        table.add_value("force y", value.force[1]);
-        table.add_value("force z", value.force[2]);
-        table.add_value("force error", force_error);
-        table.add_value("CPU time [s]", cpu_time);
-      }
+    /** One line of the table. */
+    void
+    add_row(TableHandler       &table,
+            const Verification &v,
+            const std::string  &method,
+            const Resultant    &value,
+            const double        energy_error,
+            const double        force_error,
+            const double        cpu_time)
+    {
+      table.add_value("interaction", v.interaction);
+      table.add_value("fibers", v.fibers);
+      table.add_value("method", method);
+      table.add_value("energy", value.energy);
+      table.add_value("error", energy_error);
+      table.add_value("force x", value.force[0]);
+      table.add_value("force y", value.force[1]);
+      table.add_value("force z", value.force[2]);
+      table.add_value("error of force", force_error);
+      table.add_value("CPU time [s]", cpu_time);
+    }
 
-      TableHandler table;
-      Resultant    reference;
-    };
+    /** A law, with its deviation from the full quadrature. */
+    void
+    add_law(TableHandler       &table,
+            const Verification &v,
+            const std::string  &method,
+            const Resultant    &value,
+            const double        cpu_time)
+    {
+      const Resultant &full = v.full.value;
+      add_row(table,
+              v,
+              method,
+              value,
+              value.energy / full.energy - 1.,
+              (value.force - full.force).norm() / full.force.norm(),
+              cpu_time);
+    }
   } // namespace
 
 
 
-  void
-  verify(const FiberSystem &fibers, const State &state, std::ostream &out)
+  std::vector<Verification>
+  verify(const FiberSystem &fibers, const State &state)
   {
-    Table              table;
-    std::ostringstream skipped;
+    std::vector<Verification> result;
     for (const InteractionParameters &parameters : fibers.scene.interactions)
       {
-        InteractionParameters unlimited = parameters;
-        unlimited.cutoff                = 2. * extent(fibers, state) /
-                           (1. - std::min(.5, parameters.switch_width));
-        unlimited.switch_width = std::min(.5, parameters.switch_width);
+        const InteractionParameters unlimited =
+          without_cutoff(parameters, fibers, state);
         const LawResultants law(fibers, parameters, state);
         const LawResultants law_without_cutoff(fibers, unlimited, state);
-
         for (const auto &[pair, resultant] : law.pairs)
-          {
-            const std::string names = fibers.fibers[pair.first].name + " - " +
-                                      fibers.fibers[pair.second].name;
-            const FullQuadrature full =
-              integrate(fibers, state, parameters, pair);
-            if (!std::isfinite(full.error))
-              {
-                skipped << "'" << names
-                        << "' is too close for the limits of 'full 6D "
-                           "quadrature': "
-                        << full.n_cells << " cells\n";
-                continue;
-              }
-            table.add_full(parameters.name, names, full);
-            table.add_law(parameters.name,
-                          names,
-                          parameters.law + ", no cutoff",
-                          law_without_cutoff.pairs.at(pair),
-                          law_without_cutoff.cpu_time);
-            table.add_law(
-              parameters.name, names, parameters.law, resultant, law.cpu_time);
-          }
+          result.push_back({parameters.name,
+                            parameters.law,
+                            fibers.fibers[pair.first].name + " - " +
+                              fibers.fibers[pair.second].name,
+                            integrate(fibers, state, parameters, pair),
+                            resultant,
+                            law_without_cutoff.pairs.at(pair),
+                            law.cpu_time,
+                            law_without_cutoff.cpu_time});
       }
-    if (Utilities::MPI::this_mpi_process(fibers.communicator) != 0)
+    return result;
+  }
+
+
+
+  void
+  print(const std::vector<Verification> &verifications, std::ostream &out)
+  {
+    out << "\nVerification by full 6D quadrature over the fibers as solid "
+           "bodies, which has no cutoff.\nIts errors are estimates, those of "
+           "the laws are deviations from it, all relative.\nForces act on the "
+           "first fiber.\n";
+    TableHandler table;
+    bool         is_empty = true;
+    for (const Verification &v : verifications)
+      {
+        if (!std::isfinite(v.full.error))
+          {
+            out << "'" << v.fibers
+                << "' is too much for the limits in 'full 6D quadrature': "
+                << v.full.n_cells << " cells\n";
+            continue;
+          }
+        is_empty = false;
+        add_row(table,
+                v,
+                "6D, " + std::to_string(v.full.n_points) + " Gauss points",
+                v.full.value,
+                v.full.error,
+                v.full.force_error,
+                v.full.cpu_time);
+        add_law(table,
+                v,
+                v.law + ", no cutoff",
+                v.without_cutoff,
+                v.cpu_time_without_cutoff);
+        add_law(table, v, v.law, v.with_cutoff, v.cpu_time);
+      }
+    if (is_empty)
       return;
-    out
-      << "\nVerification of the last state, t = " << state.time
-      << ". 6D: all pairs of points of the fibers as solid bodies, without "
-         "cutoff; its errors\nare estimates from the last changes with the "
-         "number of Gauss points, those of the laws are deviations from it, all "
-         "relative.\nForces act on the first fiber.\n";
-    table.print(out);
-    out << skipped.str();
+    for (const char *column : {"energy", "force x", "force y", "force z"})
+      {
+        table.set_precision(column, 6);
+        table.set_scientific(column, true);
+      }
+    for (const char *column : {"error", "error of force", "CPU time [s]"})
+      {
+        table.set_precision(column, 1);
+        table.set_scientific(column, true);
+      }
+    table.write_text(out, TableHandler::org_mode_table);
   }
 } // namespace Setae
