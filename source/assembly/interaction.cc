@@ -274,6 +274,7 @@ namespace Setae
       pair_resultants(const State &state) override
       {
         FiberPairResultants resultants;
+        const double        strength = this->strength(state.time);
         for_each_pair(
           state,
           [&](const unsigned int           source,
@@ -281,9 +282,12 @@ namespace Setae
               const std::vector<LineSite> &source_sites) {
             const unsigned int s = fibers.fiber_of_cell[source],
                                t = fibers.fiber_of_cell[target];
-            if (s == t ||
-                !add_pair(
-                  state, source, target, source_sites, Request::residual))
+            if (s == t || !add_pair(state,
+                                    source,
+                                    target,
+                                    source_sites,
+                                    strength,
+                                    Request::residual))
               return;
             Resultant &resultant = resultants[{std::min(s, t), std::max(s, t)}];
             resultant.energy += local.energy;

@@ -235,7 +235,11 @@ namespace Setae
         return std::asinh(2. * ratio);
       }
 
-      /** As many points as have the same error as @p n_points close by. */
+      /**
+       * As many points as have the same error as @p n_points close by. Not less
+       * than two fewer, so that no pair is without influence on the changes
+       * from which the error is estimated.
+       */
       unsigned int
       order(const SolidBody   &body,
             const unsigned int node,
@@ -243,9 +247,8 @@ namespace Setae
             const unsigned int n_points) const
       {
         const double ratio = distance / body.nodes()[node].extent;
-        return std::max(1.,
-                        std::ceil(n_points * rate(min_ratio) / rate(ratio) -
-                                  1e-6));
+        const double equal = n_points * rate(min_ratio) / rate(ratio);
+        return std::max({1., n_points - 2., std::ceil(equal - 1e-6)});
       }
 
       double
@@ -255,8 +258,7 @@ namespace Setae
               const unsigned int n_points) const
       {
         const double n = order(body, node, distance, n_points);
-        return body.distribution == PointDistribution::volume ? n * n * n :
-                                                                n * n;
+        return body.distribution == Distribution::volume ? n * n * n : n * n;
       }
 
       template <typename Function>
@@ -323,7 +325,7 @@ namespace Setae
     const bool     is_refined   = pairs.refine(parameters.max_n_cells);
     double         change       = std::numeric_limits<double>::infinity();
     double         force_change = change;
-    for (unsigned int n = 1; is_refined && n <= parameters.max_n_points &&
+    for (unsigned int n = 2; is_refined && n <= parameters.max_n_points &&
                              result.error > parameters.tolerance;
          ++n)
       {
@@ -334,7 +336,7 @@ namespace Setae
         result.value                  = pairs.sum(n, law);
         result.n_points               = n;
         result.n_pairs += n_pairs;
-        if (n == 1)
+        if (n == 2)
           continue;
 
         const double last_change = change, last_force_change = force_change;

@@ -13,9 +13,9 @@ namespace Setae
 {
   using namespace dealii;
 
-  SolidBody::SolidBody(const FiberChart       &chart,
-                       const PointDistribution distribution,
-                       MPI_Comm                communicator)
+  SolidBody::SolidBody(const FiberChart  &chart,
+                       const Distribution distribution,
+                       MPI_Comm           communicator)
     : chart(chart)
     , distribution(distribution)
     , communicator(communicator)
@@ -159,7 +159,7 @@ namespace Setae
   bool
   SolidBody::is_populated(const Node &node) const
   {
-    return distribution == PointDistribution::volume ||
+    return distribution == Distribution::volume ||
            (FiberChart::is_outer(node.cube) &&
             node.corner[0] + node.size == 1.);
   }
@@ -182,7 +182,7 @@ namespace Setae
   SolidBody::sites(const Node &node, const unsigned int n_points) const
   {
     const QGauss<1>    rule(n_points);
-    const bool         is_volume = distribution == PointDistribution::volume;
+    const bool         is_volume = distribution == Distribution::volume;
     const unsigned int n_radial  = is_volume ? n_points : 1;
     const unsigned int n         = n_radial * n_points * n_points;
     const double       measure   = std::pow(node.size, is_volume ? 3 : 2);

@@ -5,6 +5,7 @@
 #include <deal.II/base/timer.h>
 
 #include <setae/assembly/interaction.h>
+#include <setae/laws/penalty_contact.h>
 #include <setae/verification/verification.h>
 
 #include <algorithm>
@@ -73,38 +74,19 @@ namespace Setae
 
 
 
-    /** The diameter of a sphere around all fibers [length]. */
-    double
-    extent(const FiberSystem &fibers, const State &state)
-    {
-      double             largest = 0.;
-      const Tensor<1, 3> origin  = state.current.front().coefficients[0];
-      for (const HermiteCell<> &cell : state.current)
-        for (const Tensor<1, 3> &point : cell.control_points())
-          largest = std::max(largest, (point - origin).norm());
-      for (const FiberParameters &fiber : fibers.scene.fibers)
-        largest = std::max(largest, fiber.radius);
-      return 2. * largest;
-    }
-
-
-
-    SolidBody
-    make_body(const FiberSystem &fibers,
-              const State       &state,
-              const unsigned int fiber)
+    FiberChart
+    make_chart(const FiberSystem &fibers,
+               const State       &state,
+               const unsigned int fiber)
     {
       const Fiber &f    = fibers.fibers[fiber];
       const auto   part = [&f](const std::vector<HermiteCell<>> &cells) {
-        return std::vector<HermiteCell<>>(cells.begin() + f.first_cell,
-                                          cells.begin() + f.first_cell +
-                                            f.n_cells);
+        const auto begin = cells.begin() + f.first_cell;
+        return std::vector<HermiteCell<>>(begin, begin + f.n_cells);
       };
-      return SolidBody(FiberChart(part(fibers.initial),
-                                  part(state.current),
-                                  fibers.scene.fibers[f.parameters].radius),
-                       PointDistribution::volume,
-                       fibers.communicator);
+      return FiberChart(part(fibers.initial),
+                        part(state.current),
+                        fibers.scene.fibers[f.parameters].radius);
     }
 
 
@@ -116,32 +98,30 @@ namespace Setae
               const InteractionParameters                 &parameters,
               const std::pair<unsigned int, unsigned int> &pair)
     {
-      const SectionPair sections = section_pair(
-        fibers.scene.fibers[fibers.fibers[pair.first].parameters],
-        fibers.scene.fibers[fibers.fibers[pair.second].parameters]);
-      PointPotential potential = point_potential(parameters, sections);
+      const auto &[first, second] = pair;
+      const SectionPair sections =
+        section_pair(parameters,
+                     fibers.scene.fibers[fibers.fibers[first].parameters],
+                     fibers.scene.fibers[fibers.fibers[second].parameters]);
+      const Expression strength("interactions/" + parameters.name + "/strength",
+                                parameters.strength,
+                                "t",
+                                fibers.scene.constants);
+      PointPotential   potential = point_potential(parameters, sections);
       for (InversePower &power : potential)
-        power.prefactor *= sections.density_1 * sections.density_2;
+        power.prefactor *=
+          sections.density_1 * sections.density_2 * strength(state.time);
 
-      SolidBody first  = make_body(fibers, state, pair.first);
-      SolidBody second = make_body(fibers, state, pair.second);
-      return full_quadrature(first,
-                             second,
+      SolidBody body_1(make_chart(fibers, state, first),
+                       sections.distribution,
+                       fibers.communicator);
+      SolidBody body_2(make_chart(fibers, state, second),
+                       sections.distribution,
+                       fibers.communicator);
+      return full_quadrature(body_1,
+                             body_2,
                              PointLaw(potential),
                              fibers.scene.full_quadrature);
-    }
-
-
-
-    /** The parameters with a cutoff that no pair of points reaches. */
-    InteractionParameters
-    without_cutoff(InteractionParameters parameters,
-                   const FiberSystem    &fibers,
-                   const State          &state)
-    {
-      parameters.switch_width = .5;
-      parameters.cutoff       = 2.1 * extent(fibers, state);
-      return parameters;
     }
 
 
@@ -195,8 +175,10 @@ namespace Setae
     std::vector<Verification> result;
     for (const InteractionParameters &parameters : fibers.scene.interactions)
       {
-        const InteractionParameters unlimited =
-          without_cutoff(parameters, fibers, state);
+        if (parameters.law == PenaltyContact::name)
+          continue;
+        InteractionParameters unlimited = parameters;
+        unlimited.cutoff                = 0.;
         const LawResultants law(fibers, parameters, state);
         const LawResultants law_without_cutoff(fibers, unlimited, state);
         for (const auto &[pair, resultant] : law.pairs)
@@ -218,10 +200,11 @@ namespace Setae
   void
   print(const std::vector<Verification> &verifications, std::ostream &out)
   {
-    out << "\nVerification by full 6D quadrature over the fibers as solid "
-           "bodies, which has no cutoff.\nIts errors are estimates, those of "
-           "the laws are deviations from it, all relative.\nForces act on the "
-           "first fiber.\n";
+    out
+      << "\nVerification by full 6D quadrature over the fibers as solid "
+         "bodies (4D over their surfaces), which has no cutoff.\nIts errors are estimates, those of "
+         "the laws are deviations from it, all relative.\nForces act on the "
+         "first fiber.\n";
     TableHandler table;
     bool         is_empty = true;
     for (const Verification &v : verifications)
@@ -236,7 +219,7 @@ namespace Setae
         is_empty = false;
         add_row(table,
                 v,
-                "6D, " + std::to_string(v.full.n_points) + " Gauss points",
+                "full, " + std::to_string(v.full.n_points) + " Gauss points",
                 v.full.value,
                 v.full.error,
                 v.full.force_error,

@@ -24,10 +24,10 @@ namespace
                                       Tensor<1, 3>({.6, .8, 0.}),
                                       10.);
     SolidBody  first(FiberChart(line_1, line_1, 1.),
-                    PointDistribution::volume,
+                    Distribution::volume,
                     communicator);
     SolidBody  second(FiberChart(line_2, line_2, 1.),
-                     PointDistribution::volume,
+                     Distribution::volume,
                      communicator);
     return full_quadrature(first,
                            second,

@@ -125,8 +125,8 @@ TEST(FullQuadrature, AgreesWithPolarCoordinates)
               moment += cross_product_3d(r1, f);
             }
 
-        const PointDistribution distribution =
-          is_surface ? PointDistribution::surface : PointDistribution::volume;
+        const Distribution distribution =
+          is_surface ? Distribution::surface : Distribution::volume;
         SolidBody            first(FiberChart(line_1, line_1, 1.),
                         distribution,
                         MPI_COMM_SELF);
@@ -185,7 +185,7 @@ TEST(FullQuadrature, ActionIsReaction)
   const PointLaw law({{6, -1.}});
   const auto     body = [](const std::vector<HermiteCell<>> &line) {
     return SolidBody(FiberChart(line, line, 1.),
-                     PointDistribution::volume,
+                     Distribution::volume,
                      MPI_COMM_SELF);
   };
   SolidBody  first = body(line_1), second = body(line_2);

@@ -55,7 +55,7 @@ TEST(SolidBody, BentFiberHasItsVolumeAndSurface)
       const auto   one    = [](const Tensor<1, 3> &) { return 1.; };
 
       SolidBody body(FiberChart(initial, current, radius),
-                     PointDistribution::volume,
+                     Distribution::volume,
                      MPI_COMM_SELF);
       refine_to_one_side(body);
       EXPECT_GT(body.mesh().n_levels(), 2u);
@@ -64,7 +64,7 @@ TEST(SolidBody, BentFiberHasItsVolumeAndSurface)
                   1e-10 * length);
 
       SolidBody surface(FiberChart(initial, current, radius),
-                        PointDistribution::surface,
+                        Distribution::surface,
                         MPI_COMM_SELF);
       refine_to_one_side(surface);
       EXPECT_NEAR(integral(surface, 6, one),
@@ -86,7 +86,7 @@ TEST(SolidBody, SectionsAreDisksNormalToTheCurrentCenterline)
       cells.push_back({{{.375 * i * t, t, .375 * (i + 1.) * t, t}}, .375});
     }
   SolidBody    body(FiberChart(cells, current, radius),
-                 PointDistribution::volume,
+                 Distribution::volume,
                  MPI_COMM_SELF);
   const double volume = M_PI * radius * radius * 3.;
   EXPECT_NEAR(integral(body,
@@ -108,7 +108,7 @@ TEST(SolidBody, TreeContainsTheActiveCellsOfTheMesh)
 {
   const auto line = straight_line({}, Tensor<1, 3>({1., 0., 0.}), 3.);
   SolidBody  body(FiberChart(line, line, radius),
-                 PointDistribution::volume,
+                 Distribution::volume,
                  MPI_COMM_SELF);
   refine_to_one_side(body);
   unsigned int n_active = 0;
@@ -124,10 +124,10 @@ TEST(SolidBody, SeparationIsNeverMoreThanTheDistance)
   const auto other =
     straight_line(Tensor<1, 3>({2., 0., .2}), Tensor<1, 3>({0., .6, .8}), 2.);
   SolidBody first(FiberChart(line, line, radius),
-                  PointDistribution::volume,
+                  Distribution::volume,
                   MPI_COMM_SELF);
   SolidBody second(FiberChart(other, other, radius),
-                   PointDistribution::volume,
+                   Distribution::volume,
                    MPI_COMM_SELF);
   for (unsigned int a = 0; a < first.n_roots(); ++a)
     for (unsigned int b = 0; b < second.n_roots(); ++b)

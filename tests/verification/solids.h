@@ -66,10 +66,10 @@ namespace Setae
   /** Two straight cylinders of radius one, crossing at the middle. */
   struct CrossingCylinders
   {
-    double            gap          = 1.;
-    double            angle        = 0.;
-    double            length       = 10.;
-    PointDistribution distribution = PointDistribution::volume;
+    double       gap          = 1.;
+    double       angle        = 0.;
+    double       length       = 10.;
+    Distribution distribution = Distribution::volume;
 
     FullQuadrature
     integrate(const PointLaw                 &law,

@@ -7,6 +7,7 @@
 #include <deal.II/distributed/tria.h>
 
 #include <setae/base/lanes.h>
+#include <setae/laws/point_potential.h>
 #include <setae/verification/fiber_chart.h>
 
 #include <array>
@@ -34,15 +35,6 @@ namespace Setae
   {
     return {{source.x - target.x, source.y - target.y, source.z - target.z}};
   }
-
-
-
-  /** Where the points are that interact. */
-  enum class PointDistribution
-  {
-    volume,
-    surface ///< the lateral one
-  };
 
 
 
@@ -77,9 +69,9 @@ namespace Setae
       }
     };
 
-    SolidBody(const FiberChart       &chart,
-              const PointDistribution distribution,
-              MPI_Comm                communicator);
+    SolidBody(const FiberChart  &chart,
+              const Distribution distribution,
+              MPI_Comm           communicator);
 
     /** The cubes of the chart come first. */
     const std::vector<Node> &
@@ -112,9 +104,9 @@ namespace Setae
       return triangulation;
     }
 
-    const FiberChart        chart;
-    const PointDistribution distribution;
-    const MPI_Comm          communicator;
+    const FiberChart   chart;
+    const Distribution distribution; ///< of the points
+    const MPI_Comm     communicator;
 
   private:
     void
