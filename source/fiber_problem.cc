@@ -9,6 +9,7 @@
 #include <setae/fiber_problem.h>
 #include <setae/solvers/newton.h>
 #include <setae/solvers/relaxation.h>
+#include <setae/verification/verification.h>
 
 #include <algorithm>
 #include <cmath>
@@ -484,6 +485,13 @@ namespace Setae
       progress.print_step(record);
     });
     progress.print_summary(summary);
+    if (scene.verification != "none")
+      {
+        TimerOutput::Scope section(timer, "verification");
+        const auto         verifications = verify(fibers, state());
+        if (pcout.is_active())
+          print(verifications, pcout.get_stream());
+      }
     timer.print_summary();
     return summary;
   }

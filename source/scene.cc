@@ -80,6 +80,13 @@ namespace Setae
                         "Names that may stand in every formula of the scene: "
                         "'l = 5, R = l/250'.",
                         Patterns::Anything());
+      prm.add_parameter("verification",
+                        scene.verification,
+                        "What the interactions of the last state are compared "
+                        "with: the sum over all pairs of points of two fibers "
+                        "as solid bodies, which takes seconds to minutes a "
+                        "pair.",
+                        Patterns::Selection("none|full 6D quadrature"));
       names.add_parameters(prm);
 
       const auto add_sections = [&prm](const std::string &section, auto &list) {
@@ -106,6 +113,7 @@ namespace Setae
       add_section("load stepping", scene.load_stepping);
       add_section("newton", scene.newton);
       add_section("output", scene.output);
+      add_section("full 6D quadrature", scene.full_quadrature);
     }
 
     template <typename Parameters>

@@ -292,5 +292,13 @@ namespace Setae
             "newton/increment tolerance",
             newton.increment_tolerance,
             "positive");
+    require(full_quadrature.tolerance > 0.,
+            "full 6D quadrature/tolerance",
+            full_quadrature.tolerance,
+            "positive");
+    require(full_quadrature.separation > 0.,
+            "full 6D quadrature/separation",
+            full_quadrature.separation,
+            "positive");
   }
 } // namespace Setae

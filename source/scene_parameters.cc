@@ -381,4 +381,37 @@ namespace Setae
                       "Lines that a cell is drawn with.",
                       positive_integer());
   }
+
+
+
+  void
+  FullQuadratureParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter(
+      "tolerance",
+      tolerance,
+      "Gauss points are added until the energy changes by less, "
+      "relative to itself; positive.",
+      non_negative());
+    prm.add_parameter("separation",
+                      separation,
+                      "Cells are refined until all pairs of the two bodies are "
+                      "apart by this multiple of their size; positive. Smaller "
+                      "means less cells with more Gauss points.",
+                      non_negative());
+    prm.add_parameter(
+      "gauss points",
+      max_n_points,
+      "At most so many in each direction of a cell, at least 3.",
+      Patterns::Integer(3));
+    prm.add_parameter("point pairs",
+                      max_n_pairs,
+                      "At most so many for two fibers; a core does about 1e9 "
+                      "in a second.",
+                      non_negative());
+    prm.add_parameter("cells",
+                      max_n_cells,
+                      "At most about so many in the meshes of two fibers.",
+                      non_negative());
+  }
 } // namespace Setae

@@ -148,6 +148,21 @@ namespace Setae
 
 
 
+  /** How accurate a full quadrature has to be, and what it may cost. */
+  struct FullQuadratureParameters
+  {
+    double       tolerance    = 1e-3;
+    double       separation   = .7;
+    unsigned int max_n_points = 8;
+    double       max_n_pairs  = 1e11;
+    double       max_n_cells  = 1e6;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+  };
+
+
+
   /**
    * All that a .prm file says. Read once, constant from then on.
    */
@@ -165,6 +180,8 @@ namespace Setae
     LoadSteppingParameters             load_stepping;
     NewtonParameters                   newton;
     OutputParameters                   output;
+    std::string                        verification = "none";
+    FullQuadratureParameters           full_quadrature;
 
     /** Everything as it is used, as a .prm file that repeats the run. */
     std::string used_parameters;

@@ -54,39 +54,6 @@ namespace Setae
                           parameters.n_segments);
     }
 
-    SectionPair
-    section_pair(const InteractionParameters &parameters,
-                 const FiberParameters       &source,
-                 const FiberParameters       &target)
-    {
-      if (parameters.distribution == "surface")
-        return {source.radius,
-                target.radius,
-                source.surface_density,
-                target.surface_density,
-                Distribution::surface};
-      return {source.radius,
-              target.radius,
-              source.number_density,
-              target.number_density,
-              Distribution::volume};
-    }
-
-    PointPotential
-    point_potential(const InteractionParameters &parameters,
-                    const SectionPair           &sections)
-    {
-      if (parameters.prefactors.empty())
-        return lennard_jones_of_cylinders(parameters.equilibrium_gap,
-                                          parameters.force_minimum,
-                                          sections);
-      PointPotential potential;
-      for (unsigned int i = 0; i < parameters.exponents.size(); ++i)
-        potential.push_back(
-          {parameters.exponents[i], parameters.prefactors[i]});
-      return potential;
-    }
-
 
 
     /** Regularization and cutoff; no cutoff if that is zero. */
@@ -301,6 +268,37 @@ namespace Setae
                    parameters.regularization > 0. ?
                  -std::numeric_limits<double>::infinity() :
                  0.;
+      }
+
+      FiberPairResultants
+      pair_resultants(const State &state) override
+      {
+        FiberPairResultants resultants;
+        const double        strength = this->strength(state.time);
+        for_each_pair(
+          state,
+          [&](const unsigned int           source,
+              const unsigned int           target,
+              const std::vector<LineSite> &source_sites) {
+            const unsigned int s = fibers.fiber_of_cell[source],
+                               t = fibers.fiber_of_cell[target];
+            if (s == t || !add_pair(state,
+                                    source,
+                                    target,
+                                    source_sites,
+                                    strength,
+                                    Request::residual))
+              return;
+            Resultant &resultant = resultants[{std::min(s, t), std::max(s, t)}];
+            resultant.energy += local.energy;
+
+            // To move both nodes of a cell is to move the cell.
+            for (const unsigned int node : {0, 2})
+              for (unsigned int c = 0; c < 3; ++c)
+                resultant.force[c] +=
+                  (s < t ? -1. : 1.) * local.residual[3 * node + c];
+          });
+        return resultants;
       }
 
       void
@@ -543,6 +541,40 @@ namespace Setae
       mutable std::vector<LineSite> target_sites;
     };
   } // namespace
+
+
+
+  SectionPair
+  section_pair(const InteractionParameters &parameters,
+               const FiberParameters       &source,
+               const FiberParameters       &target)
+  {
+    if (parameters.distribution == "surface")
+      return {source.radius,
+              target.radius,
+              source.surface_density,
+              target.surface_density,
+              Distribution::surface};
+    return {source.radius,
+            target.radius,
+            source.number_density,
+            target.number_density,
+            Distribution::volume};
+  }
+
+  PointPotential
+  point_potential(const InteractionParameters &parameters,
+                  const SectionPair           &sections)
+  {
+    if (parameters.prefactors.empty())
+      return lennard_jones_of_cylinders(parameters.equilibrium_gap,
+                                        parameters.force_minimum,
+                                        sections);
+    PointPotential potential;
+    for (unsigned int i = 0; i < parameters.exponents.size(); ++i)
+      potential.push_back({parameters.exponents[i], parameters.prefactors[i]});
+    return potential;
+  }
 
 
 

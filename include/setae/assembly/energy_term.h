@@ -8,6 +8,7 @@
 
 #include <setae/assembly/global_system.h>
 #include <setae/interactions/line_sites.h>
+#include <setae/interactions/resultant.h>
 
 #include <string>
 
@@ -92,6 +93,14 @@ namespace Setae
     singular_gap() const
     {
       return -std::numeric_limits<double>::infinity();
+    }
+
+    /** What pairs of fibers do to each other, as far as this rank knows. */
+    virtual FiberPairResultants
+    pair_resultants(const State &state)
+    {
+      (void)state;
+      return {};
     }
 
     /** The forces at the quadrature points of this rank, for output. */

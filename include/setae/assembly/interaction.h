@@ -5,11 +5,23 @@
 #define setae_assembly_interaction_h
 
 #include <setae/assembly/energy_term.h>
+#include <setae/laws/point_potential.h>
 
 #include <memory>
 
 namespace Setae
 {
+  /** What the laws need to know of the sections of two fibers. */
+  SectionPair
+  section_pair(const InteractionParameters &parameters,
+               const FiberParameters       &source,
+               const FiberParameters       &target);
+
+  /** The potential of two points of fibers with these sections. */
+  PointPotential
+  point_potential(const InteractionParameters &parameters,
+                  const SectionPair           &sections);
+
   /**
    * The interaction of the points of two groups of fibers by the law that
    * @p parameters name.

@@ -25,6 +25,13 @@ namespace Setae
     double                weight; ///< initial arc length [length]
   };
 
+  /** The vector from @p target to @p source, for double_sum(). */
+  inline Tensor<1, 3>
+  connect(const LineSite &source, const LineSite &target)
+  {
+    return source.r - target.r;
+  }
+
 
 
   /**

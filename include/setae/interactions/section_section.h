@@ -4,8 +4,11 @@
 #ifndef setae_interactions_section_section_h
 #define setae_interactions_section_section_h
 
+#include <deal.II/base/array_view.h>
+
 #include <setae/base/law_derivatives.h>
 #include <setae/base/local_system.h>
+#include <setae/interactions/double_sum.h>
 #include <setae/interactions/line_sites.h>
 
 #include <cmath>
@@ -43,67 +46,12 @@ namespace Setae
         const Request                request,
         LocalSystem<24>             &local) const
     {
-      double smallest_gap = std::numeric_limits<double>::infinity();
-
-      // The sums over the target that meet the shape functions of the source.
-      Tensor<1, 3>                f;
-      Tensor<2, 3>                H;
-      std::array<Tensor<2, 3>, 4> N_H;
-
-      for (const LineSite &target : targets)
-        {
-          const Tensor<1, 3> d        = source.r - target.r;
-          const double       distance = d.norm();
-          const double       gap      = distance - sum_of_radii;
-          if (gap >= law.cutoff())
-            continue;
-          smallest_gap = std::min(smallest_gap, gap);
-          if (!law.admits(gap))
-            continue;
-
-          const double         weight = factor * source.weight * target.weight;
-          const GapDerivatives pi     = law(gap);
-          local.energy += weight * pi.value;
-          if (request < Request::residual)
-            continue;
-
-          const Tensor<1, 3> n       = d / distance;
-          const Tensor<1, 3> force_g = weight * pi.first * n;
-          f += force_g;
-          for (unsigned int a = 0; a < 4; ++a)
-            for (unsigned int c = 0; c < 3; ++c)
-              local.residual[12 + 3 * a + c] -= target.N[a] * force_g[c];
-          if (request < Request::tangent)
-            continue;
-
-          const double lateral = weight * pi.first / distance;
-          Tensor<2, 3> H_pair =
-            outer_product(n, (weight * pi.second - lateral) * n);
-          for (unsigned int c = 0; c < 3; ++c)
-            H_pair[c][c] += lateral;
-          H += H_pair;
-          for (unsigned int a = 0; a < 4; ++a)
-            {
-              const Tensor<2, 3> N_a_H = target.N[a] * H_pair;
-              N_H[a] += N_a_H;
-              for (unsigned int b = 0; b <= a; ++b)
-                local.add_block(12 + 3 * a, 12 + 3 * b, target.N[b], N_a_H);
-            }
-        }
-
-      if (request >= Request::residual)
-        for (unsigned int a = 0; a < 4; ++a)
-          for (unsigned int c = 0; c < 3; ++c)
-            local.residual[3 * a + c] += source.N[a] * f[c];
-      if (request >= Request::tangent)
-        for (unsigned int a = 0; a < 4; ++a)
-          for (unsigned int b = 0; b < 4; ++b)
-            {
-              if (b <= a)
-                local.add_block(3 * a, 3 * b, source.N[a] * source.N[b], H);
-              local.add_block(12 + 3 * a, 3 * b, -source.N[b], N_H[a]);
-            }
-      return smallest_gap;
+      CellPairSum sum(law, source.weight * factor, request, local);
+      double_sum(dealii::ArrayView<const LineSite>(&source, 1),
+                 targets,
+                 *this,
+                 sum);
+      return sum.smallest_gap;
     }
 
     /**
@@ -120,18 +68,27 @@ namespace Setae
         for (const LineSite &site : sites)
           forces.push_back(
             {site.r, {}, std::numeric_limits<double>::infinity()});
-      for (unsigned int i = 0; i < sites.size(); ++i)
-        for (const LineSite &other : others)
-          {
-            const Tensor<1, 3> d        = sites[i].r - other.r;
-            const double       distance = d.norm();
-            const double       gap      = distance - sum_of_radii;
-            if (gap >= law.cutoff() || !law.admits(gap))
-              continue;
-            forces[i].force -=
-              factor * other.weight * law(gap).first / distance * d;
-            forces[i].gap = std::min(forces[i].gap, gap);
-          }
+      ForceSum sum{law, factor, forces.data()};
+      double_sum(sites, others, *this, sum);
+    }
+
+    /** Distance and gap of two sections, which the law sees. */
+    struct Coordinate
+    {
+      double distance, gap;
+    };
+
+    Coordinate
+    coordinate(const Tensor<1, 3> &d) const
+    {
+      const double distance = d.norm();
+      return {distance, distance - sum_of_radii};
+    }
+
+    GapDerivatives
+    operator()(const Coordinate &x) const
+    {
+      return law(x.gap);
     }
 
     /**
@@ -155,6 +112,134 @@ namespace Setae
     }
 
   private:
+    /** Energy, residual and tangent matrix of two cells. */
+    struct CellPairSum
+    {
+      CellPairSum(const Law       &law,
+                  const double     factor,
+                  const Request    request,
+                  LocalSystem<24> &local)
+        : law(law)
+        , factor(factor)
+        , request(request)
+        , local(local)
+      {}
+
+      void
+      begin(const LineSite &)
+      {}
+
+      bool
+      accepts(const Coordinate &x)
+      {
+        if (x.gap >= law.cutoff())
+          return false;
+        smallest_gap = std::min(smallest_gap, x.gap);
+        return law.admits(x.gap);
+      }
+
+      void
+      add(const LineSite &,
+          const LineSite       &target,
+          const Tensor<1, 3>   &d,
+          const Coordinate     &x,
+          const GapDerivatives &pi)
+      {
+        const double weight = factor * target.weight;
+        local.energy += weight * pi.value;
+        if (request < Request::residual)
+          return;
+
+        const Tensor<1, 3> n       = d / x.distance;
+        const Tensor<1, 3> force_g = weight * pi.first * n;
+        f += force_g;
+        for (unsigned int a = 0; a < 4; ++a)
+          for (unsigned int c = 0; c < 3; ++c)
+            local.residual[12 + 3 * a + c] -= target.N[a] * force_g[c];
+        if (request < Request::tangent)
+          return;
+
+        const double lateral = weight * pi.first / x.distance;
+        Tensor<2, 3> H_pair =
+          outer_product(n, (weight * pi.second - lateral) * n);
+        for (unsigned int c = 0; c < 3; ++c)
+          H_pair[c][c] += lateral;
+        H += H_pair;
+        for (unsigned int a = 0; a < 4; ++a)
+          {
+            const Tensor<2, 3> N_a_H = target.N[a] * H_pair;
+            N_H[a] += N_a_H;
+            for (unsigned int b = 0; b <= a; ++b)
+              local.add_block(12 + 3 * a, 12 + 3 * b, target.N[b], N_a_H);
+          }
+      }
+
+      void
+      end(const LineSite &source)
+      {
+        if (request >= Request::residual)
+          for (unsigned int a = 0; a < 4; ++a)
+            for (unsigned int c = 0; c < 3; ++c)
+              local.residual[3 * a + c] += source.N[a] * f[c];
+        if (request >= Request::tangent)
+          for (unsigned int a = 0; a < 4; ++a)
+            for (unsigned int b = 0; b < 4; ++b)
+              {
+                if (b <= a)
+                  local.add_block(3 * a, 3 * b, source.N[a] * source.N[b], H);
+                local.add_block(12 + 3 * a, 3 * b, -source.N[b], N_H[a]);
+              }
+      }
+
+      double smallest_gap = std::numeric_limits<double>::infinity();
+
+    private:
+      const Law       &law;
+      const double     factor; ///< with the weight of the source
+      const Request    request;
+      LocalSystem<24> &local;
+
+      // The sums over the target that meet the shape functions of the source.
+      Tensor<1, 3>                f;
+      Tensor<2, 3>                H;
+      std::array<Tensor<2, 3>, 4> N_H;
+    };
+
+    /** Forces at the sites of one cell. */
+    struct ForceSum
+    {
+      const Law   &law;
+      const double factor;
+      SiteForce   *force; ///< of the present source
+
+      void
+      begin(const LineSite &)
+      {}
+
+      bool
+      accepts(const Coordinate &x) const
+      {
+        return x.gap < law.cutoff() && law.admits(x.gap);
+      }
+
+      void
+      add(const LineSite &,
+          const LineSite       &target,
+          const Tensor<1, 3>   &d,
+          const Coordinate     &x,
+          const GapDerivatives &pi)
+      {
+        force->force -= factor * target.weight * pi.first / x.distance * d;
+        force->gap = std::min(force->gap, x.gap);
+      }
+
+      void
+      end(const LineSite &)
+      {
+        ++force;
+      }
+    };
+
     Law    law;
     double sum_of_radii;
   };
