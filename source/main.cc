@@ -2,10 +2,12 @@
 // Copyright (C) 2026 The Setae authors
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
 
 #include <setae/base/exceptions.h>
 #include <setae/fiber_problem.h>
 #include <setae/revision.h>
+#include <setae/verification/calibration.h>
 
 #include <fstream>
 #include <iostream>
@@ -23,6 +25,11 @@ namespace
     "  --set \"SECTION/NAME=VALUE\"  override a parameter of the scene; may be\n"
     "                              given more than once\n"
     "  --output DIR                write results to DIR\n"
+    "  --calibrate GAP[,ANGLE]     print the prefactors with which the laws of\n"
+    "                              the scene give the exact force of two straight\n"
+    "                              fibers at this gap, parallel or crossing at an\n"
+    "                              angle in degrees, and the error that remains\n"
+    "                              at other gaps\n"
     "  --print-parameters          print all parameters with their defaults,\n"
     "                              allowed values and documentation\n"
     "  --version                   print the version\n"
@@ -33,6 +40,7 @@ namespace
     enum class Action
     {
       run,
+      calibrate,
       help,
       version,
       print_parameters
@@ -41,7 +49,37 @@ namespace
     Action                   action = Action::run;
     std::string              scene;
     std::vector<std::string> overrides;
+    double                   gap   = 0.; ///< of the calibration [length]
+    double                   angle = 0.; ///< in radians
   };
+
+
+
+  /** Of the text 'GAP' or 'GAP,ANGLE', the angle in degrees. */
+  void
+  parse_calibration(const std::string &text, CommandLine &command)
+  {
+    std::vector<double> numbers;
+    try
+      {
+        numbers = dealii::Utilities::string_to_double(
+          dealii::Utilities::split_string_list(text));
+      }
+    catch (const dealii::ExceptionBase &)
+      {}
+    AssertThrow((numbers.size() == 1 || numbers.size() == 2) &&
+                  numbers[0] > 0. &&
+                  (numbers.size() == 1 ||
+                   (numbers[1] >= 0. && numbers[1] <= 90.)),
+                Setae::ExcInput("The option '--calibrate' takes a positive gap "
+                                "and maybe an angle from 0 to 90 degrees, "
+                                "separated by a comma, not '" +
+                                text + "'."));
+    command.action = CommandLine::Action::calibrate;
+    command.gap    = numbers[0];
+    if (numbers.size() == 2)
+      command.angle = numbers[1] * M_PI / 180.;
+  }
 
 
 
@@ -65,23 +103,27 @@ namespace
           result.action = CommandLine::Action::version;
         else if (argument == "--print-parameters")
           result.action = CommandLine::Action::print_parameters;
+        else if (argument == "--calibrate")
+          parse_calibration(value(), result);
         else if (argument == "--set")
           result.overrides.push_back(value());
         else if (argument == "--output")
           result.overrides.push_back("output/directory=" + value());
         else
           {
-            AssertThrow(argument.empty() || argument[0] != '-',
-                        ExcInput("There is no option '" + argument +
-                                 "'; allowed are --set, --output, "
-                                 "--print-parameters, --version, --help."));
+            AssertThrow(
+              argument.empty() || argument[0] != '-',
+              ExcInput("There is no option '" + argument +
+                       "'; allowed are --set, --output, "
+                       "--calibrate, --print-parameters, --version, --help."));
             AssertThrow(result.scene.empty(),
                         ExcInput("There is more than one scene: '" +
                                  result.scene + "' and '" + argument + "'."));
             result.scene = argument;
           }
       }
-    AssertThrow(result.action != CommandLine::Action::run ||
+    AssertThrow((result.action != CommandLine::Action::run &&
+                 result.action != CommandLine::Action::calibrate) ||
                   !result.scene.empty(),
                 ExcInput("There is no scene to run; try --help."));
     return result;
@@ -108,6 +150,11 @@ namespace
     const CommandLine command = parse(arguments);
     const bool        is_root =
       dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+    const auto scene = [&command]() {
+      return Setae::Scene::read(read_file(command.scene),
+                                command.scene,
+                                command.overrides);
+    };
     switch (command.action)
       {
         case CommandLine::Action::help:
@@ -124,13 +171,15 @@ namespace
           if (is_root)
             std::cout << Setae::Scene::documentation();
           break;
+        case CommandLine::Action::calibrate:
+          if (is_root)
+            Setae::References::calibrate(scene(),
+                                         command.gap,
+                                         command.angle,
+                                         std::cout);
+          break;
         case CommandLine::Action::run:
-          Setae::FiberProblem(Setae::Scene::read(read_file(command.scene),
-                                                 command.scene,
-                                                 command.overrides),
-                              MPI_COMM_WORLD,
-                              std::cout)
-            .run();
+          Setae::FiberProblem(scene(), MPI_COMM_WORLD, std::cout).run();
           break;
       }
   }

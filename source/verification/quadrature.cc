@@ -174,7 +174,8 @@ namespace Setae
         const double length = sign * (begin - peak);
         return integrate(
           [&](const double y) {
-            return f(peak + sign * length / y) * length / (y * y);
+            const double distance = length / (y * y);
+            return f(peak + sign * distance) * 2. * distance / y;
           },
           0.,
           1.,

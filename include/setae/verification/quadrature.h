@@ -72,9 +72,10 @@ namespace Setae
      * away from it: integrated over u in x = peak + scale sinh(u), so that a
      * peak of a millionth of the interval costs little more than none.
      *
-     * The bounds may be infinite if @p f decays faster than 1/x^2; then
+     * The bounds may be infinite if @p f decays at least as |x|^(-3/2); then
      * @p far, many times the lengths at which @p f varies, is the distance
-     * from the peak beyond which x = peak + far/y is substituted.
+     * from the peak beyond which x = peak + far/y^2 is substituted, which makes
+     * a smooth function of all half-integer powers.
      */
     Estimate
     integrate_peak(const Function &f,
