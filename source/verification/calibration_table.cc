@@ -44,11 +44,11 @@ namespace Setae
 
       /** Errors of every power at one gap, in percent. */
       void
-      print_errors(const std::string                  &law,
-                   const std::vector<FittedPrefactor> &fitted,
-                   const StraightFibers               &fibers,
-                   const double                        gap,
-                   std::ostream                       &out)
+      print_errors_at(const std::string                  &law,
+                      const std::vector<FittedPrefactor> &fitted,
+                      const StraightFibers               &fibers,
+                      const double                        gap,
+                      std::ostream                       &out)
       {
         out << std::scientific << std::setprecision(3) << std::setw(14) << gap
             << std::fixed;
@@ -58,7 +58,8 @@ namespace Setae
             const EnergyAndForce model =
               by_law(law, {f.exponent, f.factor}, fibers, gap);
             const auto percent = [](const Estimate &a, const Estimate &b) {
-              return 100. * (a.value / b.value - 1.);
+              const double error = 100. * (a.value / b.value - 1.);
+              return std::abs(error) < 5e-4 ? 0. : error;
             };
             out << std::setw(13) << percent(model.energy, truth.energy)
                 << std::setw(13) << percent(model.force, truth.force);
@@ -69,22 +70,19 @@ namespace Setae
 
 
       void
-      print_calibration(const InteractionParameters &interaction,
-                        const PointPotential        &potential,
-                        const StraightFibers        &fibers,
-                        const double                 gap,
-                        std::ostream                &out)
+      print_errors(const std::string                  &law,
+                   const std::vector<FittedPrefactor> &fitted,
+                   const StraightFibers               &fibers,
+                   const double                        fitted_gap,
+                   std::ostream                       &out)
       {
-        const auto fitted = fit(interaction.law, potential, fibers, gap);
-        print_prefactors(fitted, out);
-
         out << "  Error that remains in percent:\n           gap";
         for (const FittedPrefactor &f : fitted)
           out << std::setw(13) << "energy m=" + std::to_string(f.exponent)
               << std::setw(13) << "force m=" + std::to_string(f.exponent);
         out << '\n';
         for (const double factor : {.1, .2, .5, 1., 2., 5., 10.})
-          print_errors(interaction.law, fitted, fibers, factor * gap, out);
+          print_errors_at(law, fitted, fibers, factor * fitted_gap, out);
       }
     } // namespace
 
@@ -115,6 +113,12 @@ namespace Setae
                                 pair.density_2)
                        .second)
                   continue;
+                const StraightFibers fibers{pair, angle};
+                const auto           fitted = fit(interaction.law,
+                                        point_potential(interaction, pair),
+                                        fibers,
+                                        gap);
+
                 out << "interaction '" << interaction.name << "', law "
                     << interaction.law << ", source '" << source.name
                     << "', target '" << target.name << "':\n  ";
@@ -124,11 +128,8 @@ namespace Setae
                   out << "fibers crossing at " << angle * 180. / M_PI
                       << " degrees";
                 out << ", force fitted at the gap " << gap << '\n';
-                print_calibration(interaction,
-                                  point_potential(interaction, pair),
-                                  {pair, angle},
-                                  gap,
-                                  out);
+                print_prefactors(fitted, out);
+                print_errors(interaction.law, fitted, fibers, gap, out);
                 out << std::defaultfloat << std::setprecision(6);
               }
         }

@@ -20,7 +20,7 @@ for option in --help -h; do
   run "$option"
   succeeds
   check "no usage" on_stdout '^Usage: setae'
-  for name in --set --output --print-parameters --version --help; do
+  for name in --set --output --calibrate --print-parameters --version --help; do
     check "$name is not explained" on_stdout "^ +$name"
   done
 done
@@ -65,6 +65,27 @@ run all.prm "${given[@]}" --set "supports/NAME/displacement=0; 0; 0" \
 succeeds
 check "the defaults do not run to the end" grep -qE '^ *[0-9]+ 1\.0+e\+00' \
   defaults/statistics.txt
+
+# Prefactors fitted to the exact force: the law of section and beam is exact for
+# parallel fibers as the gap closes.
+
+before=$(listing)
+run --calibrate 1e-8 two_fibers.prm
+succeeds
+check "no factor of one for m = 6 and 12" [ "$(
+  grep -cE '^ +(6|12) +(1\.0000|0\.9999)[0-9]{2} ' "$captured/out"
+)" -eq 2 ]
+check "no table of errors" on_stdout '^ +1\.000e-07( +-?[0-9.]+){4}$'
+run --calibrate 1e-3,90 two_fibers.prm
+succeeds
+check "not at an angle" on_stdout 'crossing at 90 degrees'
+for wrong in 0 -1 1e-3,91 1e-3,1,1 near; do
+  run --calibrate "$wrong" two_fibers.prm
+  one_line_with "--calibrate" "'$wrong'"
+done
+run --calibrate 1e-3
+one_line_with "no scene"
+check "something was written" [ "$before" = "$(listing)" ]
 
 # A run
 

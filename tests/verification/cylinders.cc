@@ -86,8 +86,8 @@ TEST(ReferenceCylinders, ParallelAgreesWithADiskBesideACylinder)
 
 TEST(ReferenceCylinders, CrossingAgreesWithDisksAlongTheSource)
 {
-  for (const double ratio : {.1, 1., 10.})
-    for (const double gap : {1e-6, .1, 10.})
+  for (const double ratio : {.1, 10.})
+    for (const double gap : {1e-6, 1.})
       for (const double angle : {.1, .5 * pi})
         {
           const InversePower power = {6, -2.};
@@ -327,7 +327,7 @@ TEST(ReferenceCylinders, FiniteParallelAgreesWithDisksAlongTheSource)
         [&](const double s) {
           return energy_of_disk_and_cylinder({m, 1.},
                                              pair,
-                                             Disk{Tensor<1, 3>({1.8, 0., s}),
+                                             Disk{Tensor<1, 3>({2., 0., s}),
                                                   Tensor<1, 3>({0., 0., 1.})},
                                              {shift, shift + 3.},
                                              1e-9)
@@ -338,7 +338,7 @@ TEST(ReferenceCylinders, FiniteParallelAgreesWithDisksAlongTheSource)
         1e-8);
       expect_agreement(
         sum,
-        finite_parallel_cylinders({m, 1.}, pair, .1, {2., 3., shift}).energy,
+        finite_parallel_cylinders({m, 1.}, pair, .3, {2., 3., shift}).energy,
         1e-8);
     }
 }
