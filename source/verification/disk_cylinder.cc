@@ -61,18 +61,28 @@ namespace Setae
           const double d    = R1 + R2 + gap;
           const double half = std::sin(.5 * chi);
 
-          // begin-R2, where all that is of the order of the radius but cancels
-          // is computed from small angles.
-          const double one_minus_cos_omega =
-            sin_omega * sin_omega / (1. + cos_omega);
-          const double excess =
-            gap + 2. * R1 * half * half - d * one_minus_cos_omega;
-
           Chord chord;
-          chord.length  = 2. * R1 * std::cos(chi);
-          chord.begin   = R2 + excess;
-          chord.Y       = d * sin_omega - R1 * std::sin(chi) * cos_alpha;
-          chord.surplus = excess * (R2 + chord.begin) + chord.Y * chord.Y;
+          chord.length = 2. * R1 * std::cos(chi);
+          chord.begin  = d * cos_omega - R1 * std::cos(chi);
+          chord.Y      = d * sin_omega - R1 * std::sin(chi) * cos_alpha;
+
+          // The difference to R2 of the larger coordinate, where all that is of
+          // the order of the radius but cancels comes from small angles.
+          if (cos_omega >= sin_omega)
+            {
+              const double excess =
+                gap + 2. * R1 * half * half -
+                d * sin_omega * sin_omega / (1. + cos_omega);
+              chord.surplus = excess * (2. * R2 + excess) + chord.Y * chord.Y;
+            }
+          else
+            {
+              const double excess =
+                (R1 + gap) - d * cos_omega * cos_omega / (1. + sin_omega) -
+                R1 * std::sin(chi) * cos_alpha;
+              chord.surplus =
+                excess * (2. * R2 + excess) + chord.begin * chord.begin;
+            }
           return chord;
         }
 
