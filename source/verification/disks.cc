@@ -201,54 +201,117 @@ namespace Setae
 
 
 
-      /** The integral over a disk of what its points feel of the other one. */
-      Estimate
-      over_first_disk(
-        const std::function<double(const DiskView &)> &felt_by_point,
-        const SectionPair                             &sections,
-        const Disk                                    &disk_1,
-        const Disk                                    &disk_2,
-        const double                                   tolerance)
+      /** The disk that is integrated over, and its point next to the other. */
+      class OuterDisk
       {
-        // The x-axis of the first disk points to the center of the second one.
-        const Tensor<1, 3> &n = disk_1.normal;
-        Tensor<1, 3>        e = disk_2.center - disk_1.center;
-        e -= (e * n) * n;
-        if (e.norm() < 1e-8 * sections.radius_1)
-          {
-            unsigned int smallest = 0;
-            for (unsigned int c = 1; c < 3; ++c)
-              if (std::abs(n[c]) < std::abs(n[smallest]))
-                smallest = c;
-            e           = 0.;
-            e[smallest] = 1.;
-            e -= (e * n) * n;
-          }
-        e /= e.norm();
-        const Tensor<1, 3> f = dealii::cross_product_3d(n, e);
+      public:
+        OuterDisk(const Disk  &disk,
+                  const double radius,
+                  const Disk  &other,
+                  const double other_radius)
+          : R(radius)
+          , other(other)
+          , other_radius(other_radius)
+        {
+          // The x-axis points to the center of the other disk.
+          const Tensor<1, 3> &n = disk.normal;
+          e                     = other.center - disk.center;
+          e -= (e * n) * n;
+          if (e.norm() < 1e-8 * R)
+            {
+              unsigned int smallest = 0;
+              for (unsigned int c = 1; c < 3; ++c)
+                if (std::abs(n[c]) < std::abs(n[smallest]))
+                  smallest = c;
+              e           = 0.;
+              e[smallest] = 1.;
+              e -= (e * n) * n;
+            }
+          e /= e.norm();
+          f = dealii::cross_product_3d(n, e);
 
+          const auto view = [&](const double x, const double y) {
+            return view_of_disk(disk.center + x * e + y * f,
+                                other,
+                                other_radius);
+          };
+          nearest = nearest_point_of_disk(
+            [&](const double x, const double y) {
+              return view(x, y).distance();
+            },
+            R);
+          AssertThrow(nearest.distance > 0., ExcRun("The disks touch."));
+          from_nearest = view(nearest.radius * std::cos(nearest.angle),
+                              nearest.radius * std::sin(nearest.angle));
+        }
+
+        /** Whether the other disk is next to the edge, a sharper peak. */
+        bool
+        is_met_at_edge() const
+        {
+          return nearest.radius == R;
+        }
+
+        /** The integral of what points feel of the other disk. */
+        Estimate
+        integrate(const std::function<double(const DiskView &)> &felt,
+                  const double tolerance) const
+        {
+          return integrate_over_disk(
+            [&](const double dx, const double dy) {
+              return felt(view_from_neighbor(
+                from_nearest, dx * e + dy * f, other, other_radius));
+            },
+            R,
+            nearest,
+            tolerance);
+        }
+
+      private:
+        double       R;
+        Disk         other;
+        double       other_radius;
+        Tensor<1, 3> e, f;
+        DiskPoint    nearest;
+        DiskView     from_nearest;
+      };
+
+
+
+      /**
+       * The integral over whichever disk is met at its edge, the first one if
+       * both are.
+       *
+       * @param felt What a point of one disk, given by its view, feels of the
+       * other one, which is given with its radius, and whether it is the first.
+       */
+      Estimate
+      over_one_disk(
+        const std::function<
+          double(const DiskView &, const Disk &, double, bool)> &felt,
+        const SectionPair                                       &sections,
+        const Disk                                              &disk_1,
+        const Disk                                              &disk_2,
+        const double                                             tolerance)
+      {
         const double    R1 = sections.radius_1, R2 = sections.radius_2;
-        const DiskPoint nearest = nearest_point_of_disk(
-          [&](const double x, const double y) {
-            return view_of_disk(disk_1.center + x * e + y * f, disk_2, R2)
-              .distance();
-          },
-          R1);
-        AssertThrow(nearest.distance > 0., ExcRun("The disks touch."));
-
-        const double   x = nearest.radius * std::cos(nearest.angle);
-        const double   y = nearest.radius * std::sin(nearest.angle);
-        const DiskView view =
-          view_of_disk(disk_1.center + x * e + y * f, disk_2, R2);
-        return sections.density_1 * sections.density_2 *
-               integrate_over_disk(
-                 [&](const double dx, const double dy) {
-                   return felt_by_point(
-                     view_from_neighbor(view, dx * e + dy * f, disk_2, R2));
-                 },
-                 R1,
-                 nearest,
-                 tolerance);
+        const OuterDisk first(disk_1, R1, disk_2, R2);
+        const double    densities = sections.density_1 * sections.density_2;
+        if (!first.is_met_at_edge())
+          {
+            const OuterDisk second(disk_2, R2, disk_1, R1);
+            if (second.is_met_at_edge())
+              return densities * second.integrate(
+                                   [&](const DiskView &view) {
+                                     return felt(view, disk_1, R1, true);
+                                   },
+                                   tolerance);
+          }
+        return densities * first.integrate(
+                             [&](const DiskView &view) {
+                               return felt(view, disk_2, R2, false);
+                             },
+                             tolerance);
       }
     } // namespace
 
@@ -349,13 +412,10 @@ namespace Setae
                     const Disk         &disk_2,
                     const double        tolerance)
     {
-      return over_first_disk(
-        [&](const DiskView &view) {
-          return point_and_disk(power,
-                                sections.radius_2,
-                                view.gap,
-                                view.height,
-                                inner(inner(tolerance)))
+      return over_one_disk(
+        [&](const DiskView &view, const Disk &, const double R, bool) {
+          return point_and_disk(
+                   power, R, view.gap, view.height, inner(inner(tolerance)))
             .value;
         },
         sections,
@@ -375,13 +435,16 @@ namespace Setae
           const double        tolerance)
     {
       return {energy_of_disks(power, sections, disk_1, disk_2, tolerance),
-              over_first_disk(
-                [&](const DiskView &view) {
+              over_one_disk(
+                [&](const DiskView &view,
+                    const Disk     &felt_disk,
+                    const double    R,
+                    const bool      is_first) {
                   return force_on_point(power,
-                                        sections.radius_2,
+                                        R,
                                         view,
-                                        disk_2,
-                                        direction,
+                                        felt_disk,
+                                        is_first ? -1. * direction : direction,
                                         inner(inner(tolerance)));
                 },
                 sections,

@@ -5,7 +5,7 @@
 // and the limits of small and large gaps.
 
 #include <setae/laws/disk_disk.h>
-#include <setae/verification/disks.h>
+#include <setae/verification/disk_cylinder.h>
 
 #include <cmath>
 
@@ -202,4 +202,61 @@ TEST(ReferenceDisks, ForceDoesTheWork)
     },
     .1,
     .3);
+}
+
+
+
+TEST(ReferenceDisks, FacingDisksAgreeWithAnyPose)
+{
+  const Tensor<1, 3> z({0., 0., 1.});
+  for (const unsigned int m : {1, 6})
+    for (const double ratio : {1., .5})
+      for (const double displacement : {0., .3, 1.2})
+        {
+          const Disk second = {Tensor<1, 3>({displacement, 0., -.1}), z};
+          expect_agreement(
+            disks({m, 1.}, sections(ratio), first, second, z, 1e-8),
+            facing_disks({m, 1.}, sections(ratio), .1, displacement),
+            1e-8);
+        }
+}
+
+
+
+// Two planes of points: as many as fit on the smaller disk.
+TEST(ReferenceDisks, FacingDisksArePlanesAsTheGapCloses)
+{
+  const double h = 1e-6;
+  for (const unsigned int m : {6, 12})
+    EXPECT_NEAR(facing_disks({m, 1.}, sections(.5), h, .2).energy.value /
+                  (1.2 * .25 * pi * 2. * pi / (m - 2.) * std::pow(h, 2. - m)),
+                1.,
+                1e-9);
+}
+
+
+
+// An edge on a face: stacked, the faces are a cylinder that ends below the
+// edge.
+TEST(ReferenceDisks, EdgeOnFaceAgreesWithTheEndOfACylinder)
+{
+  const SectionPair  pair = {.7, 1., 1., 1.};
+  const Tensor<1, 3> z({0., 0., 1.}), x({1., 0., 0.});
+  const Disk         upright = {Tensor<1, 3>({.2, 0., .8}), x};
+  const Estimate     stack   = integrate(
+    [&](const double depth) {
+      return energy_of_disks({6, 1.},
+                             pair,
+                             upright,
+                             {Tensor<1, 3>({0., 0., -depth}), z},
+                             1e-9)
+        .value;
+    },
+    0.,
+    .5,
+    1e-8);
+  expect_agreement(stack,
+                   energy_of_disk_and_cylinder(
+                     {6, 1.}, pair, upright, Interval{-.5, 0.}, 1e-9),
+                   1e-8);
 }

@@ -67,6 +67,24 @@ namespace Setae
 
 
 
+    /**
+     * Two disks in parallel planes that face each other, also partly: the pairs
+     * of points with the same difference of positions fill the overlap of the
+     * two disks, one of them displaced. The force is the one along the normal.
+     *
+     * @param distance Distance of the planes [length], positive.
+     * @param displacement Distance of the axes [length], at least zero and below
+     * the sum of the radii.
+     */
+    EnergyAndForce
+    facing_disks(const InversePower &power,
+                 const SectionPair  &sections,
+                 double              distance,
+                 double              displacement,
+                 double              tolerance = default_tolerance);
+
+
+
     /** A disk in space. */
     struct Disk
     {
@@ -78,7 +96,9 @@ namespace Setae
      * Two disks at any position and orientation that do not touch, per length
      * squared, and the force on the first disk in the direction @p direction.
      * What is left of the four-dimensional integral is a three-dimensional one
-     * around the point of the first disk that is nearest to the second one.
+     * around the point of a disk that is nearest to the other one. Where two
+     * faces are parallel and close there is no such point; then facing_disks()
+     * is much faster.
      *
      * Positions have the round-off of their largest coordinate; divided by the
      * gap and multiplied by the exponent it is the relative error that no
