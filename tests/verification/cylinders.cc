@@ -96,7 +96,7 @@ TEST(ReferenceCylinders, CrossingAgreesWithDisksAlongTheSource)
               power, sections(ratio), gap, angle, -infinity, infinity),
             crossing_cylinders(power, sections(ratio), gap, angle).energy);
         }
-  for (const unsigned int m : {3, 4, 5, 12})
+  for (const unsigned int m : {3, 5})
     expect_agreement(
       disks_along_source({m, 1.}, sections(2.), .01, .8, -infinity, infinity),
       crossing_cylinders({m, 1.}, sections(2.), .01, .8).energy);
@@ -330,12 +330,12 @@ TEST(ReferenceCylinders, FiniteParallelAgreesWithDisksAlongTheSource)
                                              Disk{Tensor<1, 3>({2., 0., s}),
                                                   Tensor<1, 3>({0., 0., 1.})},
                                              {shift, shift + 3.},
-                                             1e-9)
+                                             1e-8)
             .value;
         },
         0.,
         2.,
-        1e-8);
+        1e-7);
       expect_agreement(
         sum,
         finite_parallel_cylinders({m, 1.}, pair, .3, {2., 3., shift}).energy,

@@ -211,7 +211,7 @@ TEST(ReferenceDisks, FacingDisksAgreeWithAnyPose)
   const Tensor<1, 3> z({0., 0., 1.});
   for (const unsigned int m : {1, 6})
     for (const double ratio : {1., .5})
-      for (const double displacement : {0., .3, 1.2})
+      for (const double displacement : {0., 1.2})
         {
           const Disk second = {Tensor<1, 3>({displacement, 0., -.1}), z};
           expect_agreement(
