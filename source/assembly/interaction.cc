@@ -18,44 +18,44 @@ namespace Setae
 {
   using namespace dealii;
 
-  SectionPair
-  section_pair(const InteractionParameters &parameters,
-               const FiberParameters       &source,
-               const FiberParameters       &target)
-  {
-    if (parameters.distribution == "surface")
-      return {source.radius,
-              target.radius,
-              source.surface_density,
-              target.surface_density,
-              Distribution::surface};
-    return {source.radius,
-            target.radius,
-            source.number_density,
-            target.number_density,
-            Distribution::volume};
-  }
-
-
-
-  PointPotential
-  point_potential(const InteractionParameters &parameters,
-                  const SectionPair           &sections)
-  {
-    if (parameters.prefactors.empty())
-      return lennard_jones_of_cylinders(parameters.equilibrium_gap,
-                                        parameters.force_minimum,
-                                        sections);
-    PointPotential potential;
-    for (unsigned int i = 0; i < parameters.exponents.size(); ++i)
-      potential.push_back({parameters.exponents[i], parameters.prefactors[i]});
-    return potential;
-  }
-
-
-
   namespace
   {
+    /** The loop over points that evaluates laws of the given invariants. */
+    template <Invariants, typename Law>
+    struct KernelOf;
+
+    template <typename Law>
+    struct KernelOf<Invariants::gap, Law>
+    {
+      using type = SectionSection<Law>;
+    };
+
+    template <typename Law>
+    struct KernelOf<Invariants::gap_offset, Law>
+    {
+      using type = OffsetSections<Law>;
+    };
+
+    template <typename Law>
+    struct KernelOf<Invariants::gap_angle, Law>
+    {
+      using type = SectionBeam<Law>;
+    };
+
+    template <typename Law>
+    using Kernel = typename KernelOf<Law::depends_on, Law>::type;
+
+    Quadrature<1>
+    integration_rule(const InteractionParameters &parameters)
+    {
+      if (parameters.integration_rule == "midpoint")
+        return QIterated<1>(QMidpoint<1>(), parameters.n_segments);
+      return QIterated<1>(QGauss<1>(parameters.n_gauss_points),
+                          parameters.n_segments);
+    }
+
+
+
     /** Regularization and cutoff; no cutoff if that is zero. */
     GapRange
     gap_range(const InteractionParameters &parameters)
@@ -83,27 +83,6 @@ namespace Setae
                    sections,
                    gap_range(parameters));
     }
-
-
-
-    /** The loop over points that evaluates laws of the given invariants. */
-    template <Invariants, typename Law>
-    struct KernelOf;
-
-    template <typename Law>
-    struct KernelOf<Invariants::gap, Law>
-    {
-      using type = SectionSection<Law>;
-    };
-
-    template <typename Law>
-    struct KernelOf<Invariants::gap_angle, Law>
-    {
-      using type = SectionBeam<Law>;
-    };
-
-    template <typename Law>
-    using Kernel = typename KernelOf<Law::depends_on, Law>::type;
 
 
 

@@ -11,13 +11,13 @@
 
 namespace Setae
 {
-  /** What a law has to know of the sections of two fibers. */
+  /** What the laws need to know of the sections of two fibers. */
   SectionPair
   section_pair(const InteractionParameters &parameters,
                const FiberParameters       &source,
                const FiberParameters       &target);
 
-  /** The potential between two points that @p parameters give. */
+  /** The potential of two points of fibers with these sections. */
   PointPotential
   point_potential(const InteractionParameters &parameters,
                   const SectionPair           &sections);
