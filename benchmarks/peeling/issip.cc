@@ -155,7 +155,7 @@ namespace Setae
         const auto cutoff = [this](const double radius) {
           std::ostringstream text;
           text << path << "cutoff=" << radius - 2. * scene.fibers[0].radius;
-          return coarse + Overrides{text.str(), path + "switch width=0.01"};
+          return coarse + Overrides{text.str()};
         };
         const Curve reference = measure("cutoff 0.07", cutoff(.07));
         for (const auto &[radius, published] :

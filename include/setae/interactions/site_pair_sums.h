@@ -8,6 +8,7 @@
 #include <setae/interactions/line_sites.h>
 #include <setae/kinematics/gap_angle.h>
 
+#include <tuple>
 #include <vector>
 
 namespace Setae
