@@ -239,6 +239,17 @@ namespace Setae
                       n_gauss_points,
                       "Gauss points per integration segment.",
                       positive_integer());
+    prm.add_parameter("section points",
+                      section_points,
+                      "For the law 'section-quadrature': the points of a "
+                      "section, in depth and along the edge.",
+                      Patterns::List(positive_integer(), 2, 2));
+    prm.add_parameter("law tolerance",
+                      law_tolerance,
+                      "For the law 'tabulated-disk-cylinder': the relative "
+                      "error of the energy of a section. The cost of the table "
+                      "grows as its power -3/4.",
+                      Patterns::Double(1e-6, .1));
   }
 
 

@@ -87,6 +87,8 @@ namespace Setae
     double                    skin            = 0.;
     unsigned int              n_segments      = 2;
     unsigned int              n_gauss_points  = 10;
+    std::vector<unsigned int> section_points  = {4, 9};
+    double                    law_tolerance   = 5e-4;
 
     void
     add_parameters(dealii::ParameterHandler &prm);

@@ -12,6 +12,7 @@
 #include <setae/search/neighbor_list.h>
 
 #include <map>
+#include <type_traits>
 
 namespace Setae
 {
@@ -31,6 +32,12 @@ namespace Setae
 
     template <typename Law>
     struct KernelOf<Invariants::gap_angle, Law>
+    {
+      using type = SectionBeam<Law>;
+    };
+
+    template <typename Law>
+    struct KernelOf<Invariants::gap_angle_tilt, Law>
     {
       using type = SectionBeam<Law>;
     };
@@ -60,6 +67,34 @@ namespace Setae
         potential.push_back(
           {parameters.exponents[i], parameters.prefactors[i]});
       return potential;
+    }
+
+
+
+    /** A law, with an accuracy if it is computed and not written. */
+    template <typename Law>
+    Law
+    make_law(const PointPotential        &potential,
+             const SectionPair           &sections,
+             const GapRange              &range,
+             const InteractionParameters &parameters)
+    {
+      if constexpr (std::is_constructible_v<Law,
+                                            PointPotential,
+                                            SectionPair,
+                                            GapRange,
+                                            LawAccuracy>)
+        return Law(potential,
+                   sections,
+                   range,
+                   {parameters.section_points[0],
+                    parameters.section_points[1],
+                    parameters.law_tolerance});
+      else
+        {
+          (void)parameters;
+          return Law(potential, sections, range);
+        }
     }
 
 
@@ -285,9 +320,12 @@ namespace Setae
                              fibers.scene.fibers[key.second]);
               check_equal(sections);
               const double      radii = sections.radius_1 + sections.radius_2;
-              const Kernel<Law> kernel(
-                Law(point_potential(parameters, sections), sections, range),
-                radii);
+              const Kernel<Law> kernel(make_law<Law>(point_potential(parameters,
+                                                                     sections),
+                                                     sections,
+                                                     range,
+                                                     parameters),
+                                       radii);
               kernels.emplace(key, kernel);
               reach = std::max(reach, kernel.reach());
             }

@@ -8,6 +8,9 @@
 #include <setae/interactions/line_sites.h>
 #include <setae/kinematics/closest_point.h>
 #include <setae/kinematics/gap_angle.h>
+#include <setae/laws/disk_contact.h>
+
+#include <type_traits>
 
 namespace Setae
 {
@@ -27,7 +30,8 @@ namespace Setae
    * These are SBIP eq. 24-29 and B10-B25 without a second derivative of
    * @f$\xi@f$.
    *
-   * @tparam Law A law of gap and cos(alpha), for example DiskCylinder.
+   * @tparam Law A law of gap and cos(alpha), for example DiskCylinder, or of gap,
+   * cos(alpha) and tilt, for example TabulatedDiskCylinder.
    */
   template <typename Law>
   class SectionBeam
@@ -65,12 +69,13 @@ namespace Setae
           const GapAngle  geometry(pair, sum_of_radii);
           if (geometry.gap >= law.cutoff())
             continue;
-          smallest_gap = std::min(smallest_gap, geometry.gap);
-          if (!law.admits(geometry.gap))
+          const auto   site_law = place(geometry);
+          const double gap      = site_law.gap();
+          smallest_gap          = std::min(smallest_gap, gap);
+          if (!law.admits(gap))
             continue;
 
-          const GapAngleDerivatives derivatives =
-            weight * law(geometry.gap, geometry.cosine);
+          const auto derivatives = weight * site_law.derivatives(law);
           local.energy += derivatives.value;
           if (request >= Request::residual)
             distribute(site,
@@ -102,12 +107,17 @@ namespace Setae
                                   target.position(projection.x),
                                   target.derivative(projection.x)};
           const GapAngle  geometry(pair, sum_of_radii);
-          if (geometry.gap >= law.cutoff() || !law.admits(geometry.gap))
+          if (geometry.gap >= law.cutoff())
+            continue;
+          const auto   site_law = place(geometry);
+          const double gap      = site_law.gap();
+          if (!law.admits(gap))
             continue;
           const Tensor<1, 3> force =
-            -factor * law(geometry.gap, geometry.cosine).g * geometry.n;
-          result.push_back({pair.r1, force, geometry.gap});
-          result.push_back({pair.r2, -force, geometry.gap});
+            -factor *
+            geometry.energy(site_law.derivatives(law), false).gradient[0];
+          result.push_back({pair.r1, force, gap});
+          result.push_back({pair.r2, -force, gap});
         }
     }
 
@@ -136,7 +146,13 @@ namespace Setae
       const Tensor<1, 3, Number> a2  = target.derivative(x);
       const Number               gap = sqrt(d * d) - sum_of_radii;
       const Number cosine            = (a1 * a2) / sqrt((a1 * a1) * (a2 * a2));
-      return law.energy(gap, cosine);
+      if constexpr (has_tilt)
+        {
+          const Number tilt = (a1 * d) / sqrt((a1 * a1) * (d * d));
+          return law.energy(gap, cosine, tilt);
+        }
+      else
+        return law.energy(gap, cosine);
     }
 
     /** Distance of two centerlines from which on the law is zero [length]. */
@@ -147,6 +163,56 @@ namespace Setae
     }
 
   private:
+    static constexpr bool has_tilt =
+      std::is_invocable_v<Law, double, double, double>;
+
+    /** A law of gap and angle at a site. */
+    struct GapAnglePlace
+    {
+      const GapAngle &geometry;
+
+      double
+      gap() const
+      {
+        return geometry.gap;
+      }
+
+      GapAngleDerivatives
+      derivatives(const Law &law) const
+      {
+        return law(geometry.gap, geometry.cosine);
+      }
+    };
+
+    /** A law of gap, angle and tilt at a site. */
+    struct ContactPlace
+    {
+      const GapAngle     &geometry;
+      DiskContact<double> contact;
+
+      double
+      gap() const
+      {
+        return contact.clearance();
+      }
+
+      GapAngleTiltDerivatives
+      derivatives(const Law &law) const
+      {
+        return law(contact, geometry.gap, geometry.cosine, geometry.tilt);
+      }
+    };
+
+    auto
+    place(const GapAngle &geometry) const
+    {
+      if constexpr (has_tilt)
+        return ContactPlace{
+          geometry, law.contact(geometry.gap, geometry.cosine, geometry.tilt)};
+      else
+        return GapAnglePlace{geometry};
+    }
+
     /** An entry for every degree of freedom of the two cells. */
     using Row = std::array<double, 24>;
 

@@ -7,11 +7,18 @@
 #include <setae/base/type_list.h>
 #include <setae/laws/disk_cylinder.h>
 #include <setae/laws/disk_disk.h>
+#include <setae/laws/oriented_disk_cylinder.h>
+#include <setae/laws/section_quadrature.h>
+#include <setae/laws/tabulated_disk_cylinder.h>
 
 namespace Setae
 {
   /** The interaction laws a scene can choose from. */
-  using Laws = TypeList<DiskDisk, DiskCylinder>;
+  using Laws = TypeList<DiskDisk,
+                        DiskCylinder,
+                        OrientedDiskCylinder,
+                        SectionQuadrature,
+                        TabulatedDiskCylinder>;
 } // namespace Setae
 
 #endif
