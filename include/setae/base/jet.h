@@ -32,6 +32,15 @@ namespace Setae
       return result;
     }
 
+    /** The number whose second derivatives are @p second, row by row. */
+    Jet(const double                              value,
+        const std::array<double, n>              &first,
+        const std::array<double, n *(n + 1) / 2> &second)
+      : value(value)
+      , first(first)
+      , second(second)
+    {}
+
     double
     val() const
     {
@@ -169,11 +178,27 @@ namespace Setae
       return x.value >= y.value;
     }
 
+    friend bool
+    operator<=(const Jet &x, const Jet &y)
+    {
+      return x.value <= y.value;
+    }
+
     friend Jet
     sqrt(const Jet &x)
     {
       const double root = std::sqrt(x.value);
       return function(x, root, .5 / root, -.25 / (x.value * root));
+    }
+
+    friend Jet
+    atan(const Jet &x)
+    {
+      const double slope = 1. / (1. + x.value * x.value);
+      return function(x,
+                      std::atan(x.value),
+                      slope,
+                      -2. * x.value * slope * slope);
     }
 
     friend Jet
