@@ -133,6 +133,19 @@ namespace Setae
       Laws::dispatch(interaction.law, [&](auto tag) {
         constexpr unsigned int smallest =
           decltype(tag)::type::smallest_exponent;
+        constexpr Invariants depends_on = decltype(tag)::type::depends_on;
+        require(depends_on != Invariants::gap_angle_tilt ||
+                  interaction.target_ends != "clamped",
+                path + "target ends",
+                interaction.target_ends,
+                "finite for the law '" + interaction.law + "'");
+        require(depends_on == Invariants::gap_angle ||
+                  depends_on == Invariants::gap_angle_tilt ||
+                  interaction.target_ends != "finite",
+                path + "target ends",
+                interaction.target_ends,
+                "by law for the law '" + interaction.law +
+                  "', whose target is integrated over");
         for (const unsigned int m : interaction.exponents)
           require(m >= smallest,
                   path + "exponents",

@@ -165,6 +165,16 @@ namespace Setae
                       law,
                       "The reduced law. " + Laws::descriptions() + ".",
                       Patterns::Selection(Laws::names()));
+    prm.add_parameter(
+      "target ends",
+      target_ends,
+      "Beyond the end of a target: 'clamped' keeps the infinite "
+      "cylinder at the last point (SBIP), too much by about a "
+      "factor of two; 'finite' takes the part of the potential "
+      "that the target contributes on this side of its end; "
+      "'by law' is finite for laws that know the tilt of a "
+      "section, which cannot be clamped.",
+      Patterns::Selection("by law|clamped|finite"));
     prm.add_parameter("source",
                       source,
                       "The fibers that are integrated over (the papers' slave "

@@ -72,6 +72,7 @@ namespace Setae
   {
     std::string               name;
     std::string               law;
+    std::string               target_ends          = "by law";
     std::vector<std::string>  source               = {"all"};
     std::vector<std::string>  target               = {"all"};
     bool                      two_half_passes      = false;

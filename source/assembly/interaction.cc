@@ -99,6 +99,68 @@ namespace Setae
 
 
 
+    template <typename Law, typename = void>
+    struct HasSinglePowers : std::false_type
+    {};
+
+    template <typename Law>
+    struct HasSinglePowers<
+      Law,
+      std::void_t<decltype(std::declval<Law>().single_power(0))>>
+      : std::true_type
+    {};
+
+    /** The law of the power number @p i alone, without tabulating it twice. */
+    template <typename Law>
+    Law
+    single_power(const Law                   &law,
+                 const unsigned int           i,
+                 const PointPotential        &potential,
+                 const SectionPair           &sections,
+                 const GapRange              &range,
+                 const InteractionParameters &parameters)
+    {
+      if constexpr (HasSinglePowers<Law>::value)
+        {
+          (void)potential, (void)sections, (void)range, (void)parameters;
+          return law.single_power(i);
+        }
+      else
+        {
+          (void)law;
+          return make_law<Law>({potential[i]}, sections, range, parameters);
+        }
+    }
+
+
+
+    template <typename Law>
+    Kernel<Law>
+    make_kernel(const SectionPair           &sections,
+                const GapRange              &range,
+                const InteractionParameters &parameters)
+    {
+      const PointPotential potential = point_potential(parameters, sections);
+      const Law    law = make_law<Law>(potential, sections, range, parameters);
+      const double radii = sections.radius_1 + sections.radius_2;
+
+      constexpr bool has_tilt = Law::depends_on == Invariants::gap_angle_tilt;
+      if constexpr (has_tilt || Law::depends_on == Invariants::gap_angle)
+        if (parameters.target_ends == "finite" ||
+            (has_tilt && parameters.target_ends == "by law"))
+          {
+            std::vector<typename Kernel<Law>::EndTerm> terms;
+            for (unsigned int i = 0; i < potential.size(); ++i)
+              terms.push_back(
+                {single_power(law, i, potential, sections, range, parameters),
+                 EndFraction(potential[i].exponent, sections, range)});
+            return Kernel<Law>(law, radii, terms);
+          }
+      return Kernel<Law>(law, radii);
+    }
+
+
+
     /** Which cells may interact, and how strongly. */
     class Roles
     {
@@ -319,13 +381,8 @@ namespace Setae
                 section_pair(fibers.scene.fibers[key.first],
                              fibers.scene.fibers[key.second]);
               check_equal(sections);
-              const double      radii = sections.radius_1 + sections.radius_2;
-              const Kernel<Law> kernel(make_law<Law>(point_potential(parameters,
-                                                                     sections),
-                                                     sections,
-                                                     range,
-                                                     parameters),
-                                       radii);
+              const Kernel<Law> kernel =
+                make_kernel<Law>(sections, range, parameters);
               kernels.emplace(key, kernel);
               reach = std::max(reach, kernel.reach());
             }

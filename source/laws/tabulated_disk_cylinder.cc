@@ -54,7 +54,7 @@ namespace Setae
     constexpr double       reference_tolerance = 5e-4;
     constexpr double       reference_spacing   = .85;
     constexpr unsigned int reference_n_angle   = 18;
-    constexpr unsigned int n_depth = 16, n_lateral = 32;
+    constexpr unsigned int n_depth = 14, n_lateral = 26;
 
     // The error decreases with the fourth power of the spacing.
     const double refinement =

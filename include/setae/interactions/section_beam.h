@@ -91,7 +91,11 @@ namespace Setae
             continue;
           const auto   site_law = place(geometry);
           const double gap      = site_law.gap();
-          smallest_gap          = std::min(smallest_gap, gap);
+          const double beyond   = shapes.beyond * geometry.length_2;
+          smallest_gap =
+            std::min(smallest_gap,
+                     beyond > 0. ? std::hypot(std::max(gap, 0.), beyond) : gap);
+          // Beyond an end the energy vanishes with the gap, see EndFraction.
           if (!law.admits(gap))
             continue;
 
@@ -285,19 +289,19 @@ namespace Setae
     struct TargetShapes
     {
       TargetShapes(const double x, const double h)
-        : M(Hermite::shape_values(inside(x), h))
+        : beyond(std::abs(x - inside(x)))
+        , M(Hermite::shape_values(inside(x), h))
         , M_x(Hermite::shape_derivatives(inside(x), h))
       {
-        is_beyond = x < 0. || x > 1.;
-        if (is_beyond)
+        if (beyond > 0.)
           for (unsigned int a = 0; a < 4; ++a)
             M[a] += (x - inside(x)) * M_x[a];
         else
           M_xx = Hermite::shape_second_derivatives(x, h);
       }
 
+      const double          beyond; ///< the end, as reference coordinate
       std::array<double, 4> M, M_x, M_xx = {};
-      bool                  is_beyond;
 
     private:
       static double
@@ -534,7 +538,7 @@ namespace Setae
           // The motion of the closest point, v_xi = (0, 0, a2, b2) and its
           // derivative (0, 0, b2, c2), in the four vectors and then in q.
           const Tensor<1, 3> c2 =
-            shapes.is_beyond ? Tensor<1, 3>() : target.third_derivative();
+            shapes.beyond > 0. ? Tensor<1, 3>() : target.third_derivative();
           std::array<Tensor<1, 3>, 4> L_xi;
           for (unsigned int v = 0; v < 4; ++v)
             L_xi[v] = L.hessian[v][r2] * pair.a2 + L.hessian[v][a2] * b2;

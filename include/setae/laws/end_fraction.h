@@ -38,6 +38,8 @@ namespace Setae
       , R1(sections.radius_1)
       , R2(sections.radius_2)
       , cutoff(range.cutoff)
+      , quarter(.5 * std::sqrt(M_PI) * std::tgamma((m - 1.) / 2.) /
+                std::tgamma(m / 2.))
       , far_switch(One(), range.cutoff_begin, range.cutoff)
     {
       double sum = 0.;
@@ -105,19 +107,37 @@ namespace Setae
     {
       using std::atan;
       using std::sqrt;
-      // The integral of cos^n from that of cos^(n-2), and over a quarter
       const Number c = 1. / sqrt(1. + u * u), s = u * c;
-      unsigned int n       = m % 2;
-      Number       part    = n == 0 ? Number(atan(u)) : s;
-      double       quarter = n == 0 ? .5 * M_PI : 1.;
-      Number       power   = n == 0 ? c : Number(c * c);
+      if (u < -2.)
+        return far_beyond(c);
+      // The integral of cos^n from that of cos^(n-2), and over a quarter
+      unsigned int n     = m % 2;
+      Number       part  = n == 0 ? Number(atan(u)) : s;
+      Number       power = n == 0 ? c : Number(c * c);
       for (n += 2; n <= m - 2; n += 2)
         {
           part = (power * s + (n - 1.) * part) / double(n);
-          quarter *= (n - 1.) / n;
           power *= c * c;
         }
       return .5 + part / (2. * quarter);
+    }
+
+    /** The small rest far beyond the end, in powers of the cosine of theta. */
+    template <typename Number>
+    Number
+    far_beyond(const Number &c) const
+    {
+      constexpr unsigned int n_terms = 22; // c^2 < 1/5
+      const Number           square  = c * c;
+      Number                 power = 1., sum = 0.;
+      for (unsigned int k = 0; k < n_terms; ++k)
+        {
+          sum += power / (m - 1. + 2. * k);
+          power *= square * ((k + .5) / (k + 1.));
+        }
+      for (unsigned int k = 1; k < m; ++k)
+        sum = sum * c;
+      return sum / (2. * quarter);
     }
 
     /** Switches off beyond the end where the end is farther than the cutoff. */
@@ -139,6 +159,7 @@ namespace Setae
 
     unsigned int      m;
     double            R1, R2, cutoff;
+    double            quarter; ///< integral of cos^(m-2) from 0 to pi / 2
     SmoothCutoff<One> far_switch;
     std::vector<Line> lines;
   };

@@ -6,6 +6,7 @@
 
 #include <setae/base/jet.h>
 #include <setae/laws/contact_law.h>
+#include <setae/laws/contact_powers.h>
 #include <setae/laws/law_accuracy.h>
 #include <setae/laws/section_integral.h>
 

@@ -8,7 +8,6 @@
 #include <setae/laws/law_accuracy.h>
 #include <setae/laws/oriented_disk_cylinder.h>
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -49,6 +48,15 @@ namespace Setae
                           const SectionPair    &sections,
                           const GapRange       &range,
                           const LawAccuracy    &accuracy);
+
+    /** The law of the power number @p i of the potential alone. */
+    TabulatedDiskCylinder
+    single_power(const unsigned int i) const
+    {
+      TabulatedDiskCylinder result = *this;
+      result.terms                 = {terms[i]};
+      return result;
+    }
 
     ContactDerivatives
     derivatives(const DiskContact<double> &contact) const;
