@@ -209,6 +209,25 @@ namespace Setae
     }
 
     void
+    check_target_ends(const InteractionParameters &interaction,
+                      const Invariants             depends_on)
+    {
+      const std::string path    = "interactions/" + interaction.name + "/";
+      const std::string for_law = " for the law '" + interaction.law + "'";
+      require(depends_on != Invariants::gap_angle_tilt ||
+                interaction.target_ends != "clamped",
+              path + "target ends",
+              interaction.target_ends,
+              "finite" + for_law);
+      require(depends_on == Invariants::gap_angle ||
+                depends_on == Invariants::gap_angle_tilt ||
+                interaction.target_ends != "finite",
+              path + "target ends",
+              interaction.target_ends,
+              "by law" + for_law + ", whose target is integrated over");
+    }
+
+    void
     check_interaction(const InteractionParameters &interaction)
     {
       Laws::dispatch(interaction.law, [&](auto tag) {
@@ -219,6 +238,7 @@ namespace Setae
         else
           {
             check_potential(interaction);
+            check_target_ends(interaction, Law::depends_on);
             check_range(interaction,
                         Law::smallest_exponent,
                         Law::is_long_range);

@@ -171,6 +171,16 @@ namespace Setae
                       law,
                       "The reduced law. " + Laws::descriptions() + ".",
                       Patterns::Selection(Laws::names()));
+    prm.add_parameter(
+      "target ends",
+      target_ends,
+      "Beyond the end of a target: 'clamped' keeps the infinite "
+      "cylinder at the last point (SBIP), too much by about a "
+      "factor of two; 'finite' takes the part of the potential "
+      "that the target contributes on this side of its end; "
+      "'by law' is finite for laws that know the tilt of a "
+      "section, which cannot be clamped.",
+      Patterns::Selection("by law|clamped|finite"));
     prm.add_parameter("source",
                       source,
                       "The fibers that are integrated over (the papers' slave "
@@ -285,6 +295,17 @@ namespace Setae
                       "moments on each other as the energy asks for. Without "
                       "them (ISSIP eq. 50) moments are not in balance, there "
                       "is no potential, and instabilities cannot be passed.");
+    prm.add_parameter("section points",
+                      section_points,
+                      "For the law 'section-quadrature': the points of a "
+                      "section, in depth and along the edge.",
+                      Patterns::List(positive_integer(), 2, 2));
+    prm.add_parameter("law tolerance",
+                      law_tolerance,
+                      "For the law 'tabulated-disk-cylinder': the relative "
+                      "error of the energy of a section. The cost of the table "
+                      "grows as its power -3/4.",
+                      Patterns::Double(1e-6, .1));
   }
 
 

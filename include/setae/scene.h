@@ -73,6 +73,7 @@ namespace Setae
   {
     std::string               name;
     std::string               law;
+    std::string               target_ends          = "by law";
     std::vector<std::string>  source               = {"all"};
     std::vector<std::string>  target               = {"all"};
     bool                      two_half_passes      = false;
@@ -94,6 +95,8 @@ namespace Setae
     unsigned int              n_gauss_points      = 10;
     std::string               frame               = "averaged";
     bool                      interaction_moments = true;
+    std::vector<unsigned int> section_points      = {4, 9};
+    double                    law_tolerance       = 5e-4;
 
     void
     add_parameters(dealii::ParameterHandler &prm);

@@ -3,16 +3,14 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
-#include <setae/assembly/interaction.h>
+#include <setae/assembly/interaction_kernel.h>
+#include <setae/assembly/interaction_roles.h>
 #include <setae/base/exceptions.h>
-#include <setae/interactions/offset_sections.h>
-#include <setae/interactions/section_beam.h>
-#include <setae/interactions/section_section.h>
-#include <setae/laws/all.h>
 #include <setae/laws/lennard_jones.h>
 #include <setae/search/neighbor_list.h>
 
 #include <map>
+#include <type_traits>
 
 namespace Setae
 {
@@ -20,31 +18,6 @@ namespace Setae
 
   namespace
   {
-    /** The loop over points that evaluates laws of the given invariants. */
-    template <Invariants, typename Law>
-    struct KernelOf;
-
-    template <typename Law>
-    struct KernelOf<Invariants::gap, Law>
-    {
-      using type = SectionSection<Law>;
-    };
-
-    template <typename Law>
-    struct KernelOf<Invariants::gap_offset, Law>
-    {
-      using type = OffsetSections<Law>;
-    };
-
-    template <typename Law>
-    struct KernelOf<Invariants::gap_angle, Law>
-    {
-      using type = SectionBeam<Law>;
-    };
-
-    template <typename Law>
-    using Kernel = typename KernelOf<Law::depends_on, Law>::type;
-
     Quadrature<1>
     integration_rule(const InteractionParameters &parameters)
     {
@@ -53,100 +26,6 @@ namespace Setae
       return QIterated<1>(QGauss<1>(parameters.n_gauss_points),
                           parameters.n_segments);
     }
-
-
-
-    /** Regularization and cutoff; no cutoff if that is zero. */
-    GapRange
-    gap_range(const InteractionParameters &parameters)
-    {
-      GapRange range;
-      range.regularization = parameters.regularization;
-      if (parameters.cutoff > 0.)
-        {
-          range.cutoff_begin =
-            (1. - parameters.switch_width) * parameters.cutoff;
-          range.cutoff = parameters.cutoff;
-        }
-      return range;
-    }
-
-    template <typename Law>
-    Law
-    make_law(const InteractionParameters &parameters,
-             const SectionPair           &sections)
-    {
-      if constexpr (std::is_same_v<Law, PenaltyContact>)
-        return Law(parameters.penalty);
-      else
-        return Law(point_potential(parameters, sections),
-                   sections,
-                   gap_range(parameters));
-    }
-
-
-
-    /** Which cells may interact, and how strongly. */
-    class Roles
-    {
-    public:
-      Roles(const FiberSystem &fibers, const InteractionParameters &parameters)
-        : fibers(fibers)
-        , parameters(parameters)
-        , is_source(fibers.fibers.size(), false)
-        , is_target(fibers.fibers.size(), false)
-      {
-        for (const unsigned int f : fibers.select(parameters.source))
-          is_source[f] = true;
-        for (const unsigned int f : fibers.select(parameters.target))
-          is_target[f] = true;
-      }
-
-      bool
-      may_be_source(const unsigned int fiber) const
-      {
-        return is_source[fiber] ||
-               (parameters.two_half_passes && is_target[fiber]);
-      }
-
-      bool
-      may_be_target(const unsigned int fiber) const
-      {
-        return is_target[fiber] ||
-               (parameters.two_half_passes && is_source[fiber]);
-      }
-
-      bool
-      interact(const unsigned int source, const unsigned int target) const
-      {
-        const unsigned int s = fibers.fiber_of_cell[source],
-                           t = fibers.fiber_of_cell[target];
-        if (s == t)
-          return parameters.self_interaction && is_source[s] && is_target[s] &&
-                 fibers.distance_along_fiber(source, target) >
-                   parameters.n_excluded_neighbors;
-        const bool forward  = is_source[s] && is_target[t];
-        const bool backward = is_source[t] && is_target[s];
-        if (parameters.two_half_passes)
-          return forward || backward;
-        return forward && (!backward || s < t);
-      }
-
-      /** One half where each pair of cells meets twice. */
-      double
-      factor(const unsigned int source, const unsigned int target) const
-      {
-        const bool twice =
-          parameters.two_half_passes ||
-          fibers.fiber_of_cell[source] == fibers.fiber_of_cell[target];
-        return twice ? .5 : 1.;
-      }
-
-    private:
-      const FiberSystem           &fibers;
-      const InteractionParameters &parameters;
-      std::vector<bool>            is_source, is_target;
-    };
 
 
 
@@ -318,7 +197,7 @@ namespace Setae
                           this->kernel(source, target);
                         const double factor =
                           strength * roles.factor(source, target);
-                        if constexpr (is_projected)
+                        if constexpr (is_projected<Law>)
                           for (const LineSite &site : source_sites)
                             kernel.forces(site,
                                           cell,
@@ -357,10 +236,6 @@ namespace Setae
       }
 
     private:
-      static constexpr bool is_projected =
-        Law::depends_on == Invariants::gap_angle ||
-        Law::depends_on == Invariants::gap_angle_tilt;
-
       static constexpr bool has_offset =
         Law::depends_on == Invariants::gap_offset;
 
@@ -384,28 +259,13 @@ namespace Setae
                              fibers.scene.fibers[key.first],
                              fibers.scene.fibers[key.second]);
               check_equal(sections);
-              const Kernel<Law> kernel = make_kernel(sections);
+              const Kernel<Law> kernel = make_kernel<Law>(parameters, sections);
               kernels.emplace(key, kernel);
               reach           = std::max(reach, kernel.reach());
               smallest_radius = std::min(
                 {smallest_radius, sections.radius_1, sections.radius_2});
             }
         return reach;
-      }
-
-      Kernel<Law>
-      make_kernel(const SectionPair &sections) const
-      {
-        const Law    law   = make_law<Law>(parameters, sections);
-        const double radii = sections.radius_1 + sections.radius_2;
-        if constexpr (has_offset)
-          return {law,
-                  radii,
-                  parameters.frame == "source" ? OffsetAxis::source :
-                                                 OffsetAxis::averaged,
-                  parameters.interaction_moments};
-        else
-          return {law, radii};
       }
 
       void
@@ -487,7 +347,7 @@ namespace Setae
               {
                 is_near = true;
                 local.reset(request);
-                if constexpr (!is_projected)
+                if constexpr (!is_projected<Law>)
                   evaluate_sites(rule,
                                  fibers.initial[target],
                                  cell,
@@ -499,7 +359,7 @@ namespace Setae
                   }
               }
             double gap;
-            if constexpr (is_projected)
+            if constexpr (is_projected<Law>)
               gap = kernel.add(site,
                                cell,
                                fibers.ends_of_cell(target),
@@ -521,7 +381,7 @@ namespace Setae
 
       const FiberSystem           &fibers;
       const InteractionParameters &parameters;
-      const Roles                  roles;
+      const InteractionRoles       roles;
       const Quadrature<1>          rule;
 
       /** One for each pair of sections of the scene. */

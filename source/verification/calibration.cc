@@ -41,15 +41,27 @@ namespace Setae
           return d / std::hypot(d, lateral);
         }
 
+        /** One over the distance of the axes there. */
+        double
+        inverse(const double lateral) const
+        {
+          return 1. / std::hypot(d, lateral);
+        }
+
+        /** t1.n of a source that crosses at an angle with this sine. */
+        double
+        tilt(const double lateral, const double sine) const
+        {
+          return sine * lateral / std::hypot(d, lateral);
+        }
+
         /**
-         * The integral of energies and forces over the lateral distance.
-         *
-         * @param law Value and derivative with respect to the gap.
-         * @param weight A function of the lateral distance.
+         * The integral over the lateral distance of the energy that @p law gives
+         * there with its derivative with respect to the smallest gap.
          */
-        template <typename Law, typename Weight>
+        template <typename LawThere>
         EnergyAndForce
-        integrate(const Law &law, const Weight &weight) const
+        integrate(const LawThere &law) const
         {
           const auto from_zero = [this](const Function &f) {
             return integrate_peak(f,
@@ -60,12 +72,8 @@ namespace Setae
                                   default_tolerance,
                                   100. * d);
           };
-          return {from_zero([&](const double x) {
-                    return weight(x) * law(gap(x)).value;
-                  }),
-                  from_zero([&](const double x) {
-                    return -weight(x) * law(gap(x)).first * cosine(x);
-                  })};
+          return {from_zero([&](const double x) { return law(x).value; }),
+                  from_zero([&](const double x) { return -law(x).first; })};
         }
 
       private:
@@ -82,32 +90,76 @@ namespace Setae
                        const StraightFibers &fibers,
                        const double          gap)
       {
-        const double sine = std::sin(fibers.angle);
+        const Connection connection(fibers.sections, gap);
+        const double     sine = std::sin(fibers.angle);
+        return connection.integrate([&](const double lateral) {
+          const double weight =
+            fibers.angle == 0. ? 2. : 2. * pi * lateral / sine;
+          const GapDerivatives p = law(connection.gap(lateral));
+          return GapDerivatives{weight * p.value,
+                                weight * p.first * connection.cosine(lateral),
+                                0.};
+        });
+      }
+
+
+
+      /** A law of offset and gap, along one of two parallel lines. */
+      template <typename Law>
+      EnergyAndForce
+      over_offsets(const Law            &law,
+                   const StraightFibers &fibers,
+                   const double          gap)
+      {
         return Connection(fibers.sections, gap)
-          .integrate(law, [&](const double lateral) {
-            return fibers.angle == 0. ? 2. : 2. * pi * lateral / sine;
+          .integrate([&](const double offset) {
+            const OffsetGapDerivatives p = law(offset, gap);
+            return GapDerivatives{2. * p.value, 2. * p.g, 0.};
           });
       }
 
 
 
-      /** A law of gap and angle: a value, or along the source that crosses. */
+      /**
+       * A law of gap and angle, and tilt if it knows it: a value, or along the
+       * source that crosses.
+       */
       template <typename Law>
       EnergyAndForce
       over_source(const Law            &law,
                   const StraightFibers &fibers,
                   const double          gap)
       {
-        const double cosine = std::cos(fibers.angle);
-        const auto   at_gap = [&](const double g) {
-          const GapAngleDerivatives p = law(g, cosine);
-          return GapDerivatives{p.value, p.g, p.gg};
+        const Connection connection(fibers.sections, gap);
+        const double     cosine = std::cos(fibers.angle),
+                     sine       = std::sin(fibers.angle);
+        const auto there        = [&](const double lateral) {
+          const double g = connection.gap(lateral);
+          if constexpr (Law::depends_on == Invariants::gap_angle_tilt)
+            {
+              // The tilt is inverse to the distance, of which the smallest one
+              // d is a leg.
+              const double tilt    = connection.tilt(lateral, sine);
+              const auto   p       = law(g, cosine, tilt);
+              const double along_d = connection.cosine(lateral);
+              return GapDerivatives{
+                p.value,
+                along_d * (p.g - p.t * tilt * connection.inverse(lateral)),
+                0.};
+            }
+          else
+            {
+              const GapAngleDerivatives p = law(g, cosine);
+              return GapDerivatives{p.value,
+                                    p.g * connection.cosine(lateral),
+                                    0.};
+            }
         };
         if (fibers.angle == 0.)
-          return {{at_gap(gap).value, 0.}, {-at_gap(gap).first, 0.}};
-        const double sine = std::sin(fibers.angle);
-        return Connection(fibers.sections, gap).integrate(at_gap, [&](double) {
-          return 2. / sine;
+          return {{there(0.).value, 0.}, {-there(0.).first, 0.}};
+        return connection.integrate([&](const double lateral) {
+          const GapDerivatives p = there(lateral);
+          return GapDerivatives{2. / sine * p.value, 2. / sine * p.first, 0.};
         });
       }
     } // namespace
@@ -138,14 +190,20 @@ namespace Setae
       EnergyAndForce result;
       PotentialLaws::dispatch(law, [&](auto tag) {
         using Law = typename decltype(tag)::type;
-        const Law of_power({power}, fibers.sections, GapRange());
+        const Law of_power =
+          make_law<Law>({power}, fibers.sections, GapRange());
         if constexpr (Law::depends_on == Invariants::gap)
           result = over_both_fibers(of_power, fibers, gap);
-        else if constexpr (Law::depends_on == Invariants::gap_angle)
-          result = over_source(of_power, fibers, gap);
+        else if constexpr (Law::depends_on == Invariants::gap_offset)
+          {
+            AssertThrow(fibers.angle == 0.,
+                        ExcInput("The law '" + law +
+                                 "' can be calibrated for parallel fibers "
+                                 "only."));
+            result = over_offsets(of_power, fibers, gap);
+          }
         else
-          AssertThrow(false,
-                      ExcInput("The law '" + law + "' cannot be calibrated."));
+          result = over_source(of_power, fibers, gap);
       });
       return result;
     }

@@ -287,20 +287,25 @@ namespace
     return gaps;
   }
 
+  /**
+   * The laws of a gap, with or without an angle; those of an offset or a tilt
+   * are tested in offset_disks.cc and contact_laws.cc.
+   */
   template <typename List, typename... Kept>
-  struct WithoutOffset;
+  struct OfGapAndAngle;
 
   template <typename... Kept>
-  struct WithoutOffset<TypeList<>, Kept...>
+  struct OfGapAndAngle<TypeList<>, Kept...>
   {
     using type = testing::Types<Kept...>;
   };
 
   template <typename Law, typename... Others, typename... Kept>
-  struct WithoutOffset<TypeList<Law, Others...>, Kept...>
-    : std::conditional_t<Law::depends_on == Invariants::gap_offset,
-                         WithoutOffset<TypeList<Others...>, Kept...>,
-                         WithoutOffset<TypeList<Others...>, Kept..., Law>>
+  struct OfGapAndAngle<TypeList<Law, Others...>, Kept...>
+    : std::conditional_t<Law::depends_on == Invariants::gap_offset ||
+                           Law::depends_on == Invariants::gap_angle_tilt,
+                         OfGapAndAngle<TypeList<Others...>, Kept...>,
+                         OfGapAndAngle<TypeList<Others...>, Kept..., Law>>
   {};
 
   template <typename Law>
@@ -370,7 +375,7 @@ namespace
     }
   };
 
-  TYPED_TEST_SUITE(LawDerivatives, typename WithoutOffset<PotentialLaws>::type);
+  TYPED_TEST_SUITE(LawDerivatives, typename OfGapAndAngle<PotentialLaws>::type);
 } // namespace
 
 

@@ -80,6 +80,33 @@ TEST(Calibration, OfTheSectionSectionLawHoldsAtOneGapOnly)
 
 
 
+// What the section-beam laws for every angle promise: the closed form as the
+// gap closes, the table within its tolerance at every gap.
+TEST(Calibration, OfTheLawsForEveryAngleIsOne)
+{
+  for (const StraightFibers &fibers : {parallel, crossing})
+    {
+      for (const auto &fitted :
+           fit("oriented-disk-cylinder", lennard_jones, fibers, 1e-9))
+        EXPECT_NEAR(fitted.factor, 1., 1e-4);
+      for (const double gap : {1e-7, 1e-4, 1e-2, .2})
+        for (const auto &fitted :
+             fit("tabulated-disk-cylinder", lennard_jones, fibers, gap))
+          EXPECT_NEAR(fitted.factor, 1., 1e-3) << gap;
+    }
+}
+
+
+
+TEST(Calibration, OfSectionsWithOffsetIsOneForParallelFibersAsTheGapCloses)
+{
+  for (const auto &fitted : fit("offset-disks", lennard_jones, parallel, 1e-8))
+    EXPECT_NEAR(fitted.factor, 1., 2e-6);
+  EXPECT_THROW(fit("offset-disks", lennard_jones, crossing, 1e-8), ExcInput);
+}
+
+
+
 TEST(Calibration, OfLawsAtLargeDistanceIsOneFarAway)
 {
   for (const StraightFibers &fibers : {parallel, crossing})
@@ -91,7 +118,8 @@ TEST(Calibration, OfLawsAtLargeDistanceIsOneFarAway)
 
 TEST(Calibration, ForcesOfLawsDoTheirWork)
 {
-  for (const std::string law : {"disk-disk", "disk-cylinder"})
+  for (const std::string law :
+       {"disk-disk", "disk-cylinder", "oriented-disk-cylinder"})
     for (const StraightFibers &fibers : {parallel, crossing})
       expect_work(
         [&](const double gap) {

@@ -74,6 +74,34 @@ namespace Setae
               factor * law.gg};
     }
   };
+
+
+
+  /**
+   * Value and derivatives of a law of the gap g, of c = cos(alpha) and of the
+   * tilt t, the component of the source's tangent along the connecting vector.
+   */
+  struct GapAngleTiltDerivatives
+  {
+    double value = 0.;
+    double g = 0., c = 0., t = 0.;
+    double gg = 0., gc = 0., gt = 0., cc = 0., ct = 0., tt = 0.;
+
+    friend GapAngleTiltDerivatives
+    operator*(const double factor, const GapAngleTiltDerivatives &law)
+    {
+      return {factor * law.value,
+              factor * law.g,
+              factor * law.c,
+              factor * law.t,
+              factor * law.gg,
+              factor * law.gc,
+              factor * law.gt,
+              factor * law.cc,
+              factor * law.ct,
+              factor * law.tt};
+    }
+  };
 } // namespace Setae
 
 #endif

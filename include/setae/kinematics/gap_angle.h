@@ -9,6 +9,7 @@
 #include <setae/base/law_derivatives.h>
 
 #include <array>
+#include <type_traits>
 
 namespace Setae
 {
@@ -41,8 +42,10 @@ namespace Setae
 
   /**
    * The invariants of a disk and a cylinder: gap @f$g=|r_1-r_2|-R_1-R_2@f$
-   * [length] and @f$c=\cos\alpha=t_1\cdot t_2@f$ with @f$t_i=a_i/|a_i|@f$.
-   * The laws are even in c, so the orientation of the fibers does not matter.
+   * [length], @f$c=\cos\alpha=t_1\cdot t_2@f$ with @f$t_i=a_i/|a_i|@f$ and the
+   * tilt @f$t=t_1\cdot n@f$ along the connecting vector @f$n=(r_1-r_2)/|r_1-r_2|@f$.
+   * The laws are even in c and in t, so the orientation of the fibers does not
+   * matter.
    */
   class GapAngle
   {
@@ -57,6 +60,7 @@ namespace Setae
       , t2(pair.a2 / length_2)
       , gap(distance - sum_of_radii)
       , cosine(t1 * t2)
+      , tilt(t1 * n)
     {}
 
     const Tensor<1, 3> d;
@@ -66,15 +70,22 @@ namespace Setae
     const Tensor<1, 3> t1, t2;
     const double       gap;
     const double       cosine;
+    const double       tilt;
 
     /**
-     * The chain rule from the derivatives of a law in (gap, cosine) to those in
-     * the four vectors of the pair (SBIP eq. 23-25 and B13-B25, here at a fixed
-     * point of the target). The Hessian is written if @p with_hessian.
+     * The chain rule from the derivatives of a law in (gap, cosine) or in (gap,
+     * cosine, tilt) to those in the four vectors of the pair (SBIP eq. 23-25
+     * and B13-B25, here at a fixed point of the target). The Hessian is written
+     * if
+     * @p with_hessian.
      */
+    template <typename LawDerivatives>
     PointPairEnergy
-    energy(const GapAngleDerivatives &law, const bool with_hessian) const
+    energy(const LawDerivatives &law, const bool with_hessian) const
     {
+      constexpr bool has_tilt =
+        std::is_same_v<LawDerivatives, GapAngleTiltDerivatives>;
+
       using namespace PointPairIndex;
 
       // dg = n . (dr1 - dr2),  dc = w1 . da1 + w2 . da2
@@ -87,6 +98,17 @@ namespace Setae
       result.gradient[r2] = -law.g * n;
       result.gradient[a1] = law.c * w1;
       result.gradient[a2] = law.c * w2;
+
+      // dt = m . (dr1 - dr2) + w3 . da1
+      Tensor<1, 3> m, w3;
+      if constexpr (has_tilt)
+        {
+          m  = (t1 - tilt * n) / distance;
+          w3 = (n - tilt * t1) / length_1;
+          result.gradient[r1] += law.t * m;
+          result.gradient[r2] -= law.t * m;
+          result.gradient[a1] += law.t * w3;
+        }
       if (!with_hessian)
         return result;
 
@@ -102,16 +124,25 @@ namespace Setae
           {
             const double I = i == j ? 1. : 0.;
 
-            const double rr =
-              law.gg * n[i] * n[j] + lateral * (I - n[i] * n[j]);
+            double rr = law.gg * n[i] * n[j] + lateral * (I - n[i] * n[j]);
+            if constexpr (has_tilt)
+              rr += (law.gt - law.t / distance) * (n[i] * m[j] + m[i] * n[j]) +
+                    law.tt * m[i] * m[j] -
+                    law.t * tilt / (distance * distance) * (I - n[i] * n[j]);
             H[r1][r1][i][j] = H[r2][r2][i][j] = rr;
             H[r1][r2][i][j] = H[r2][r1][i][j] = -rr;
 
-            const double ra1 = law.gc * n[i] * w1[j];
+            double ra1 = law.gc * n[i] * w1[j];
+            if constexpr (has_tilt)
+              ra1 += (law.gt - law.t / distance) * n[i] * w3[j] +
+                     law.ct * m[i] * w1[j] + law.tt * m[i] * w3[j] +
+                     law.t / (distance * length_1) * (I - t1[i] * t1[j]);
             H[r1][a1][i][j] = H[a1][r1][j][i] = ra1;
             H[r2][a1][i][j] = H[a1][r2][j][i] = -ra1;
 
-            const double ra2 = law.gc * n[i] * w2[j];
+            double ra2 = law.gc * n[i] * w2[j];
+            if constexpr (has_tilt)
+              ra2 += law.ct * m[i] * w2[j];
             H[r1][a2][i][j] = H[a2][r1][j][i] = ra2;
             H[r2][a2][i][j] = H[a2][r2][j][i] = -ra2;
 
@@ -119,15 +150,23 @@ namespace Setae
               law.cc * w1[i] * w1[j] -
               bend_1 * (t1[i] * w1[j] + w1[i] * t1[j] +
                         cosine / length_1 * (I - t1[i] * t1[j]));
+            if constexpr (has_tilt)
+              H[a1][a1][i][j] += law.ct * (w1[i] * w3[j] + w3[i] * w1[j]) +
+                                 law.tt * w3[i] * w3[j] -
+                                 law.t / length_1 *
+                                   (t1[i] * w3[j] + w3[i] * t1[j] +
+                                    tilt / length_1 * (I - t1[i] * t1[j]));
             H[a2][a2][i][j] =
               law.cc * w2[i] * w2[j] -
               bend_2 * (t2[i] * w2[j] + w2[i] * t2[j] +
                         cosine / length_2 * (I - t2[i] * t2[j]));
 
-            H[a1][a2][i][j] = H[a2][a1][j][i] =
-              law.cc * w1[i] * w2[j] +
-              mixed *
-                (I - t1[i] * t1[j] - t2[i] * t2[j] + cosine * t1[i] * t2[j]);
+            double a1a2 = law.cc * w1[i] * w2[j] +
+                          mixed * (I - t1[i] * t1[j] - t2[i] * t2[j] +
+                                   cosine * t1[i] * t2[j]);
+            if constexpr (has_tilt)
+              a1a2 += law.ct * w3[i] * w2[j];
+            H[a1][a2][i][j] = H[a2][a1][j][i] = a1a2;
           }
       return result;
     }

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 The Setae authors
+
+#ifndef setae_laws_end_fraction_h
+#define setae_laws_end_fraction_h
+
+#include <setae/laws/point_potential.h>
+#include <setae/laws/short_range.h>
+
+#include <cmath>
+#include <vector>
+
+namespace Setae
+{
+  /**
+   * The part of the potential of an infinite straight target that comes from
+   * the half of it on this side of its end, at the axial distance z inside the
+   * end (negative beyond it).
+   *
+   * Of a line at the distance @f$\rho@f$ it is, with @f$u=z/\rho=\tan\theta@f$,
+   * @f[ \varphi_m(u) = \frac12 + \frac{\int_0^\theta\cos^{m-2}}
+   *                                   {\int_{-\pi/2}^{\pi/2}\cos^{m-2}}, @f]
+   * elementary for every m. Two sections are full of lines: at a small gap g
+   * parallel ones have the distances @f$\rho=g/t@f$ with the weights
+   * @f$t^{m-9/2}(1-t)^{3/2}dt@f$, because depth and width of both sections add
+   * up to @f$\rho-g@f$; the midpoint rule in @f$t=\sin^2\vartheta@f$ integrates
+   * them. At a large gap all are at the distance of the centerlines, so that
+   * @f$\rho-g@f$ is bounded by @f$R_1+R_2@f$. At an angle a section extends along
+   * the target, which widens the transition.
+   */
+  class EndFraction
+  {
+  public:
+    EndFraction(const unsigned int exponent,
+                const SectionPair &sections,
+                const GapRange    &range)
+      : m(exponent)
+      , R1(sections.radius_1)
+      , R2(sections.radius_2)
+      , cutoff(range.cutoff)
+      , quarter(.5 * std::sqrt(M_PI) * std::tgamma((m - 1.) / 2.) /
+                std::tgamma(m / 2.))
+      , far_switch(One(), range.cutoff_begin, range.cutoff)
+    {
+      double sum = 0.;
+      for (unsigned int k = 0; k < n_lines; ++k)
+        {
+          const double theta = .5 * M_PI * (k + .5) / n_lines;
+          const double s = std::sin(theta), c = std::cos(theta);
+          lines.push_back(
+            {c * c / (s * s), std::pow(s, 2. * m - 8.) * std::pow(c, 4)});
+          sum += lines.back().weight;
+        }
+      for (Line &line : lines)
+        line.weight /= sum;
+    }
+
+    /** The fraction, between zero and one. */
+    template <typename Number>
+    Number
+    value(const Number &gap,
+          const Number &cosine,
+          const Number &tilt,
+          const Number &z) const
+    {
+      using std::sqrt;
+      // A section that leans over may be near with a negative gap of its axis.
+      const Number T = tilt * tilt;
+      const Number g =
+        .5 * (gap + sqrt(gap * gap + R1 * R1 * (T * T + smallest * smallest)));
+      const Number sine_square = 1. - cosine * cosine;
+
+      Number sum = 0.;
+      for (const Line &line : lines)
+        {
+          const Number depth =
+            (R1 + R2) * line.depth * g / (R1 + R2 + line.depth * g);
+          const Number rho =
+            sqrt((g + depth) * (g + depth) + (.4 * R1) * sine_square * depth);
+          sum += line.weight * of_line(Number(z / rho));
+        }
+      return sum * reach(gap, z);
+    }
+
+  private:
+    static constexpr unsigned int n_lines  = 6;
+    static constexpr double       smallest = 1e-6;
+
+    struct Line
+    {
+      double depth, weight;
+    };
+
+    struct One
+    {
+      template <typename Number>
+      Number
+      value(const Number &) const
+      {
+        return 1.;
+      }
+    };
+
+    template <typename Number>
+    Number
+    of_line(const Number &u) const
+    {
+      using std::atan;
+      using std::sqrt;
+      const Number c = 1. / sqrt(1. + u * u), s = u * c;
+      if (u < -2.)
+        return far_beyond(c);
+      // The integral of cos^n from that of cos^(n-2), and over a quarter
+      unsigned int n     = m % 2;
+      Number       part  = n == 0 ? Number(atan(u)) : s;
+      Number       power = n == 0 ? c : Number(c * c);
+      for (n += 2; n <= m - 2; n += 2)
+        {
+          part = (power * s + (n - 1.) * part) / double(n);
+          power *= c * c;
+        }
+      return .5 + part / (2. * quarter);
+    }
+
+    /** The small rest far beyond the end, in powers of the cosine of theta. */
+    template <typename Number>
+    Number
+    far_beyond(const Number &c) const
+    {
+      constexpr unsigned int n_terms = 22; // c^2 < 1/5
+      const Number           square  = c * c;
+      Number                 power = 1., sum = 0.;
+      for (unsigned int k = 0; k < n_terms; ++k)
+        {
+          sum += power / (m - 1. + 2. * k);
+          power *= square * ((k + .5) / (k + 1.));
+        }
+      for (unsigned int k = 1; k < m; ++k)
+        sum = sum * c;
+      return sum / (2. * quarter);
+    }
+
+    /** Switches off beyond the end where the end is farther than the cutoff. */
+    template <typename Number>
+    Number
+    reach(const Number &gap, const Number &z) const
+    {
+      using std::sqrt;
+      if (!(z < 0.) || !(cutoff < std::numeric_limits<double>::infinity()))
+        return 1.;
+      const Number d = gap + (R1 + R2);
+      const Number far =
+        far_switch.value(Number(sqrt(d * d + z * z) - R1 - R2));
+      const Number y = -10. / cutoff * z;
+      if (y >= 1.)
+        return far;
+      return 1. - (1. - far) * y * y * y * (10. - y * (15. - 6. * y));
+    }
+
+    unsigned int      m;
+    double            R1, R2, cutoff;
+    double            quarter; ///< integral of cos^(m-2) from 0 to pi / 2
+    SmoothCutoff<One> far_switch;
+    std::vector<Line> lines;
+  };
+} // namespace Setae
+
+#endif
