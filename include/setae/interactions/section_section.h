@@ -129,7 +129,7 @@ namespace Setae
       begin(const LineSite &)
       {}
 
-      bool
+      DEAL_II_ALWAYS_INLINE bool
       accepts(const Coordinate &x)
       {
         if (x.gap >= law.cutoff())
@@ -138,7 +138,7 @@ namespace Setae
         return law.admits(x.gap);
       }
 
-      void
+      DEAL_II_ALWAYS_INLINE void
       add(const LineSite &,
           const LineSite       &target,
           const Tensor<1, 3>   &d,
