@@ -17,16 +17,16 @@ namespace Setae
    * the half of it on this side of its end, at the axial distance z inside the
    * end (negative beyond it).
    *
-   * Of a line at the distance @f$\rho@f$ it is, with @f$u=z/\rho=\tan\theta@f$,
-   * @f[ \varphi_m(u) = \frac12 + \frac{\int_0^\theta\cos^{m-2}}
-   *                                   {\int_{-\pi/2}^{\pi/2}\cos^{m-2}}, @f]
-   * elementary for every m. Two sections are full of lines: at a small gap g
-   * parallel ones have the distances @f$\rho=g/t@f$ with the weights
-   * @f$t^{m-9/2}(1-t)^{3/2}dt@f$, because depth and width of both sections add
-   * up to @f$\rho-g@f$; the midpoint rule in @f$t=\sin^2\vartheta@f$ integrates
-   * them. At a large gap all are at the distance of the centerlines, so that
-   * @f$\rho-g@f$ is bounded by @f$R_1+R_2@f$. At an angle a section extends along
-   * the target, which widens the transition.
+   * Two parallel sections at a small gap g are full of sheets, at distances
+   * @f$x=g/t@f$ with the weights @f$t^{m-11/2}(1-t)^{3/2}dt@f$: their depths and
+   * the distance of their edges add up to x - g. Of a sheet at the distance x
+   * the half with @f$u=z/x=\tan\theta@f$ has the part
+   * @f[ \varphi(u) = \frac12 + \frac{\int_0^\theta\cos^{m-3}}
+   *                               {\int_{-\pi/2}^{\pi/2}\cos^{m-3}}, @f]
+   * elementary for every m. The midpoint rule in @f$t=\sin^2\vartheta@f$ adds
+   * the sheets. At a large gap they move to the distance of the centerlines,
+   * scaled to give the density of a line at its end. At an angle a section
+   * extends along the target, which widens the transition.
    */
   class EndFraction
   {
@@ -34,25 +34,25 @@ namespace Setae
     EndFraction(const unsigned int exponent,
                 const SectionPair &sections,
                 const GapRange    &range)
-      : m(exponent)
+      : m(exponent - 1)
       , R1(sections.radius_1)
       , R2(sections.radius_2)
       , cutoff(range.cutoff)
-      , quarter(.5 * std::sqrt(M_PI) * std::tgamma((m - 1.) / 2.) /
-                std::tgamma(m / 2.))
+      , quarter(quarter_of(exponent - 1))
+      , far_scale(quarter_of(exponent) / quarter)
       , far_switch(One(), range.cutoff_begin, range.cutoff)
     {
       double sum = 0.;
-      for (unsigned int k = 0; k < n_lines; ++k)
+      for (unsigned int k = 0; k < n_sheets; ++k)
         {
-          const double theta = .5 * M_PI * (k + .5) / n_lines;
+          const double theta = .5 * M_PI * (k + .5) / n_sheets;
           const double s = std::sin(theta), c = std::cos(theta);
-          lines.push_back(
-            {c * c / (s * s), std::pow(s, 2. * m - 8.) * std::pow(c, 4)});
-          sum += lines.back().weight;
+          sheets.push_back({c * c / (s * s),
+                            std::pow(s, 2. * exponent - 10.) * std::pow(c, 4)});
+          sum += sheets.back().weight;
         }
-      for (Line &line : lines)
-        line.weight /= sum;
+      for (Sheet &sheet : sheets)
+        sheet.weight /= sum;
     }
 
     /** The fraction, between zero and one. */
@@ -70,23 +70,26 @@ namespace Setae
         .5 * (gap + sqrt(gap * gap + R1 * R1 * (T * T + smallest * smallest)));
       const Number sine_square = 1. - cosine * cosine;
 
+      const Number scale = (R1 + R2 + far_scale * g) / (R1 + R2 + g);
+
       Number sum = 0.;
-      for (const Line &line : lines)
+      for (const Sheet &sheet : sheets)
         {
           const Number depth =
-            (R1 + R2) * line.depth * g / (R1 + R2 + line.depth * g);
-          const Number rho =
-            sqrt((g + depth) * (g + depth) + (.4 * R1) * sine_square * depth);
-          sum += line.weight * of_line(Number(z / rho));
+            (R1 + R2) * sheet.depth * g / (R1 + R2 + sheet.depth * g);
+          const Number x = (g + depth) * scale;
+          sum +=
+            sheet.weight *
+            of_sheet(Number(z / sqrt(x * x + (.4 * R1) * sine_square * depth)));
         }
       return sum * reach(gap, z);
     }
 
   private:
-    static constexpr unsigned int n_lines  = 6;
+    static constexpr unsigned int n_sheets = 6;
     static constexpr double       smallest = 1e-6;
 
-    struct Line
+    struct Sheet
     {
       double depth, weight;
     };
@@ -101,9 +104,17 @@ namespace Setae
       }
     };
 
+    /** The integral of @f$\cos^{m-2}@f$ from 0 to @f$\pi/2@f$. */
+    static double
+    quarter_of(const double m)
+    {
+      return .5 * std::sqrt(M_PI) * std::tgamma((m - 1.) / 2.) /
+             std::tgamma(m / 2.);
+    }
+
     template <typename Number>
     Number
-    of_line(const Number &u) const
+    of_sheet(const Number &u) const
     {
       using std::atan;
       using std::sqrt;
@@ -157,11 +168,12 @@ namespace Setae
       return 1. - (1. - far) * y * y * y * (10. - y * (15. - 6. * y));
     }
 
-    unsigned int      m;
-    double            R1, R2, cutoff;
-    double            quarter; ///< integral of cos^(m-2) from 0 to pi / 2
-    SmoothCutoff<One> far_switch;
-    std::vector<Line> lines;
+    unsigned int       m; ///< the exponent of a sheet, one less
+    double             R1, R2, cutoff;
+    double             quarter;   ///< integral of cos^(m-2) from 0 to pi / 2
+    double             far_scale; ///< of a sheet with the end density of a line
+    SmoothCutoff<One>  far_switch;
+    std::vector<Sheet> sheets;
   };
 } // namespace Setae
 
