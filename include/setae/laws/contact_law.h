@@ -145,7 +145,7 @@ namespace Setae
     double
     smallest_gap() const
     {
-      return -R1 * (1. - 1e-13);
+      return -R1 * (1. - 1e-6);
     }
 
     SmoothCutoff<One> cutoff_switch;
