@@ -112,10 +112,12 @@ build_targets() {
 }
 
 # Ranks are the only parallelism; Open MPI refuses root and more ranks than
-# cores, as found in containers, unless told otherwise.
+# cores, as found in containers, unless told otherwise, and its ranks do not give
+# way to each other while they wait.
 export DEAL_II_NUM_THREADS=${DEAL_II_NUM_THREADS:-1}
 export OMP_NUM_THREADS=${OMP_NUM_THREADS:-1}
 export OMPI_MCA_rmaps_base_oversubscribe=1
+export OMPI_MCA_mpi_yield_when_idle=1
 if ((EUID == 0)); then
   export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 fi

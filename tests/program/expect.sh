@@ -49,7 +49,7 @@ run_on() {
   call="mpirun -np $ranks setae $*"
   : >"$captured/err"
   # shellcheck disable=SC2016
-  timeout 60 mpirun --oversubscribe -np "$ranks" \
+  timeout 240 mpirun --oversubscribe -np "$ranks" \
     bash -c 'exec "$@" 2>>"$0"' "$captured/err" "$setae" "$@" \
     >"$captured/out" 2>/dev/null </dev/null
   status=$?
