@@ -144,7 +144,7 @@ namespace Setae
     double
     smallest_gap() const
     {
-      return -R1 * (1. - 1e-13);
+      return -R1 * (1. - 1e-7);
     }
 
     SmoothCutoff<One> cutoff_switch;
