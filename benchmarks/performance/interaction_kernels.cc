@@ -16,8 +16,10 @@
 #include <setae/laws/disk_cylinder.h>
 #include <setae/laws/disk_disk.h>
 #include <setae/laws/lennard_jones.h>
+#include <setae/laws/tabulated_disk_cylinder.h>
 
 #include <ctime>
+#include <type_traits>
 #include <vector>
 
 #include "../../tests/nested_sacado.h"
@@ -78,15 +80,23 @@ namespace
 
 
   /** One integral over the source. */
-  struct Sections
+  template <typename Law>
+  struct SectionsOf
   {
     static constexpr unsigned int n_points = n_sites;
 
-    SectionBeam<DiskCylinder> interaction{
-      DiskCylinder(lennard_jones_of_cylinders(gap, -0.1, sections),
-                   sections,
-                   range),
-      sum_of_radii};
+    static Law
+    law()
+    {
+      const PointPotential potential =
+        lennard_jones_of_cylinders(gap, -0.1, sections);
+      if constexpr (std::is_same_v<Law, TabulatedDiskCylinder>)
+        return Law(potential, sections, range, {});
+      else
+        return Law(potential, sections, range);
+    }
+
+    SectionBeam<Law> interaction{law(), sum_of_radii};
 
     void
     by_hand(const CellPair  &cells,
@@ -116,6 +126,11 @@ namespace
       return local_system<24>(energy);
     }
   };
+
+
+
+  using Sections          = SectionsOf<DiskCylinder>;
+  using TabulatedSections = SectionsOf<TabulatedDiskCylinder>;
 
 
 
@@ -196,6 +211,16 @@ namespace
 
 
 
+  /** The time of the table of a Lennard-Jones potential, in seconds. */
+  void
+  build_table(benchmark::State &state)
+  {
+    for (auto _ : state)
+      benchmark::DoNotOptimize(TabulatedSections::law());
+  }
+
+
+
   /** Becomes the exit status: Google Benchmark itself only prints an error. */
   bool is_fast_enough = true;
 
@@ -235,6 +260,43 @@ namespace
         state.SkipWithError("By hand must be ten times faster than Sacado.");
       }
   }
+
+  /** The law that is right at every angle against the one of the paper. */
+  void
+  cost_of_tilt(benchmark::State &state)
+  {
+    constexpr unsigned int n_times       = 100;
+    constexpr double       largest_ratio = 2.;
+
+    const Sections          sections;
+    const TabulatedSections tabulated;
+    const CellPair          cells;
+    LocalSystem<24>         local;
+    double                  time = 0., time_tabulated = 0.;
+    for (auto _ : state)
+      {
+        const double start = seconds();
+        for (unsigned int i = 0; i < n_times; ++i)
+          {
+            sections.by_hand(cells, Request::tangent, local);
+            benchmark::DoNotOptimize(local);
+          }
+        const double middle = seconds();
+        for (unsigned int i = 0; i < n_times; ++i)
+          {
+            tabulated.by_hand(cells, Request::tangent, local);
+            benchmark::DoNotOptimize(local);
+          }
+        time += middle - start;
+        time_tabulated += seconds() - middle;
+      }
+    state.counters["ratio"] = time_tabulated / time;
+    if (time_tabulated > largest_ratio * time)
+      {
+        is_fast_enough = false;
+        state.SkipWithError("A tabulated law may cost twice as much at most.");
+      }
+  }
 } // namespace
 
 // request: 0 energy, 1 with residual, 2 with tangent matrix
@@ -243,6 +305,19 @@ BENCHMARK_TEMPLATE(by_hand, Sections)
   ->Name("SectionBeam/by_hand")
   ->ArgName("request")
   ->DenseRange(0, 2);
+
+BENCHMARK_TEMPLATE(by_hand, TabulatedSections)
+  ->Name("SectionBeam/tabulated")
+  ->ArgName("request")
+  ->DenseRange(0, 2);
+
+BENCHMARK(cost_of_tilt)
+  ->Name("SectionBeam/cost_of_tilt")
+  ->Unit(benchmark::kMillisecond);
+
+BENCHMARK(build_table)
+  ->Name("TabulatedDiskCylinder/build")
+  ->Unit(benchmark::kMillisecond);
 
 BENCHMARK_TEMPLATE(by_hand, PairsOfSections)
   ->Name("SectionSection/by_hand")
