@@ -117,33 +117,49 @@ namespace Setae
         const SolverResult result =
           method.try_step(system, record.time, record.step_size);
 
-        double      error  = 0.;
-        std::string reason = result.reason;
-        if (result.converged && dynamics.largest_displacement > 0. &&
-            method.largest_displacement(system) > dynamics.largest_displacement)
-          reason = "a node moves by more than the largest displacement";
-        else if (result.converged && steps.is_adaptive())
-          {
-            error = method.error(system);
-            if (!steps.is_accurate(error))
-              reason = "the error is " + std::to_string(error);
-          }
-
-        if (reason.empty())
+        const StepMeasure quality =
+          result.converged ? measure(method, steps) : StepMeasure();
+        if (result.converged && quality.is_acceptable())
           {
             method.accept();
-            steps.accept(error);
+            steps.accept(quality);
             return result;
           }
+
+        std::ostringstream reason;
+        if (!result.converged)
+          reason << result.reason;
+        else
+          reason << "the error is " << quality.error
+                 << " of the tolerance, the largest displacement "
+                 << quality.displacement << " of what is allowed";
         record.n_iterations_rejected += result.n_iterations;
         ++record.n_rejected;
-        progress.print_rejection(reason);
+        progress.print_rejection(reason.str());
+
+        const double begin = steps.time();
+        if (result.converged ? steps.reject(quality) : steps.reject())
+          continue;
         std::ostringstream message;
-        message << "The time step from " << steps.time() << " to "
-                << record.time << " has no solution: " << reason
+        message << "The time step from " << begin << " to " << record.time
+                << " has no solution: " << reason.str()
                 << ". The states before it are on disk.";
-        AssertThrow(steps.reject(error), ExcRun(message.str()));
+        AssertThrow(false, ExcRun(message.str()));
       }
+  }
+
+
+
+  StepMeasure
+  DynamicRun::measure(const GeneralizedAlpha &method, const TimeStepping &steps)
+  {
+    StepMeasure result;
+    if (dynamics.largest_displacement > 0.)
+      result.displacement =
+        method.largest_displacement(system) / dynamics.largest_displacement;
+    if (steps.is_adaptive())
+      result.error = method.error(system) / dynamics.tolerance;
+    return result;
   }
 
 

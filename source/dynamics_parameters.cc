@@ -30,7 +30,8 @@ namespace Setae
                       time_step,
                       "The time step of generalized-alpha, or its first one if "
                       "there is a tolerance. IDA chooses its steps itself and "
-                      "reports after each interval of this length [time].",
+                      "reports after each interval of this length, and after "
+                      "500 steps [time].",
                       Patterns::Double(0.));
     prm.add_parameter(
       "tolerance",

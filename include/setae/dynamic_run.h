@@ -11,6 +11,7 @@ namespace Setae
 {
   class GeneralizedAlpha;
   class TimeStepping;
+  struct StepMeasure;
 
   /**
    * The run of a scene with inertia, by the integrator that it names.
@@ -42,6 +43,10 @@ namespace Setae
     solve_step(GeneralizedAlpha &method,
                TimeStepping     &steps,
                StepRecord       &record);
+
+    /** What the step that has been solved is judged by. */
+    StepMeasure
+    measure(const GeneralizedAlpha &method, const TimeStepping &steps);
 
     /** Residual and energies of a motion. */
     Evaluation

@@ -42,56 +42,70 @@ namespace Setae
 
 
   double
-  TimeStepping::factor(const double error) const
+  TimeStepping::factor(const StepMeasure &measure)
   {
     constexpr double safety = .9, least = .2, most = 2.;
-    if (error == 0.)
-      return most;
-    return std::clamp(safety * std::cbrt(parameters.tolerance / error),
-                      least,
-                      most);
+    double           result = most;
+    if (measure.error > 0.)
+      result = std::min(result, safety / std::cbrt(measure.error));
+    if (measure.displacement > 0.)
+      result = std::min(result, safety / measure.displacement);
+    return std::max(result, least);
   }
 
 
 
   void
-  TimeStepping::accept(const double error)
+  TimeStepping::resize(const double new_size)
+  {
+    size          = new_size;
+    start_time    = current_time;
+    n_equal_steps = 0;
+  }
+
+
+
+  void
+  TimeStepping::accept(const StepMeasure &measure)
   {
     constexpr double worth_changing = 1.2;
 
     current_time = next_time();
     ++n_equal_steps;
-    double new_size = size;
-    if (is_adaptive())
-      {
-        const double ratio = factor(error);
-        if (ratio < 1. || ratio > worth_changing)
-          new_size = std::clamp(size * ratio, smallest, largest);
-      }
-    else
-      new_size = std::min(2. * size, parameters.time_step);
-    if (new_size != size)
-      {
-        size          = new_size;
-        start_time    = current_time;
-        n_equal_steps = 0;
-      }
+    const double ratio = factor(measure);
+    double       next  = size;
+    if (is_adaptive() && (ratio < 1. || ratio > worth_changing))
+      next = std::clamp(size * ratio, smallest, largest);
+    else if (!is_adaptive() && ratio > 1.)
+      next = std::min(size * ratio, parameters.time_step);
+    if (next != size)
+      resize(next);
   }
 
 
 
   bool
-  TimeStepping::reject(const double error)
+  TimeStepping::repeat(const double factor)
   {
-    constexpr double after_failure = .5;
-
     if (step_size() <= smallest * (1. + 1e-10))
       return false;
-    const double ratio =
-      error > 0. ? std::min(factor(error), .9) : after_failure;
-    size          = std::max(step_size() * ratio, smallest);
-    start_time    = current_time;
-    n_equal_steps = 0;
+    resize(std::max(step_size() * factor, smallest));
     return true;
+  }
+
+
+
+  bool
+  TimeStepping::reject(const StepMeasure &measure)
+  {
+    return repeat(std::min(factor(measure), .9));
+  }
+
+
+
+  bool
+  TimeStepping::reject()
+  {
+    return repeat(.5);
   }
 } // namespace Setae

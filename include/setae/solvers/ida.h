@@ -30,7 +30,10 @@ namespace Setae
   class Ida
   {
   public:
-    /** Called at the end of each interval with the linear systems solved. */
+    /**
+     * Called at the end of each interval, and after each 500 steps of IDA within
+     * one, with the linear systems solved since the last call.
+     */
     using Visit = std::function<
       void(const double, const Motion &, const unsigned int n_solved)>;
 

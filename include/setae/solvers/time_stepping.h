@@ -8,6 +8,21 @@
 
 namespace Setae
 {
+  /** What a time step is judged by, each as a part of what is allowed. */
+  struct StepMeasure
+  {
+    double error        = 0.; ///< that of the step, of third order in its size
+    double displacement = 0.; ///< the largest one, of first order
+
+    bool
+    is_acceptable() const
+    {
+      return error <= 1. && displacement <= 1.;
+    }
+  };
+
+
+
   /**
    * Chooses the time steps of a method of second order. With a tolerance, from
    * the estimated error of the last step; without one, they are equal. In both
@@ -47,29 +62,36 @@ namespace Setae
       return parameters.tolerance > 0.;
     }
 
-    /** Whether a step with @p error [length] is accurate enough. */
-    bool
-    is_accurate(const double error) const
-    {
-      return error <= parameters.tolerance;
-    }
-
-    /** The step has been taken, with the estimated @p error [length]. */
+    /** The step has been taken. */
     void
-    accept(const double error);
+    accept(const StepMeasure &measure);
 
     /**
-     * The step has to be repeated with a smaller size, because of its @p error
-     * if that is not zero.
+     * The step is not acceptable by its @p measure and has to be shorter.
      *
      * @return False if it has the smallest size already.
      */
     bool
-    reject(const double error);
+    reject(const StepMeasure &measure);
+
+    /**
+     * The step has no solution and has to be shorter.
+     *
+     * @return False if it has the smallest size already.
+     */
+    bool
+    reject();
 
   private:
-    double
-    factor(const double error) const;
+    /** The next size over the last one. */
+    static double
+    factor(const StepMeasure &measure);
+
+    bool
+    repeat(const double factor);
+
+    void
+    resize(const double new_size);
 
     DynamicsParameters parameters;
     double             smallest, largest;
