@@ -4,6 +4,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <setae/base/exceptions.h>
+#include <setae/beams/all.h>
 #include <setae/scene.h>
 
 namespace Setae
@@ -85,7 +86,7 @@ namespace Setae
     if (!is_on())
       return;
     for (const FiberParameters &fiber : fibers)
-      require(fiber.density > 0.,
+      require(fiber.density > 0. || fiber.beam == Rigid::name,
               "fibers/" + fiber.name + "/density",
               fiber.density,
               "positive in a scene with dynamics");

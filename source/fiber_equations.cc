@@ -46,7 +46,10 @@ namespace Setae
   {
     setup_terms();
     if (scene.dynamics.is_on())
-      inertia = std::make_unique<Inertia>(fibers);
+      {
+        inertia = std::make_unique<Inertia>(fibers);
+        inertia->initial_velocity(); // its formulas must be right
+      }
   }
 
 

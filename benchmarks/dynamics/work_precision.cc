@@ -33,8 +33,8 @@ namespace Setae
           csv.open("time_integration.csv");
           csv << "phase,integrator,parameter,steps,linear systems,error,CPU "
                  "time\n";
-          const double order = study("flight", "2e-3", 6);
-          study("contact", "4e-3", 6);
+          const double order = study("flight", "1.4e-3", 5);
+          study("contact", "3e-3", 5);
           std::cout << "\nOrder of generalized-alpha before the contact: "
                     << order << " (required: 2 +- 0.1) "
                     << (std::abs(order - 2.) <= .1 ? "reached" : "MISSED")

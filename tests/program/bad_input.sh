@@ -196,7 +196,7 @@ fibers/left/initial velocity|0; 0|three formulas
 dynamics/end time|0|positive
 dynamics/time step|0|positive
 dynamics/smallest step|1|at most the time step
-dynamics/largest step|1e-9|at least the time step
+dynamics/largest step|5e-07|at least the time step
 END
 rejects two_fibers.prm "${motion[@]}" \
   --set "fibers/left/initial velocity=0; q*s; 0" -- \
