@@ -111,6 +111,7 @@ namespace Setae
         prm.leave_subsection();
       };
       add_section("load stepping", scene.load_stepping);
+      add_section("dynamics", scene.dynamics);
       add_section("newton", scene.newton);
       add_section("output", scene.output);
       add_section("full 6D quadrature", scene.full_quadrature);

@@ -287,6 +287,8 @@ namespace Setae
         check_interaction(interaction);
       }
 
+    dynamics.check(fibers);
+
     const LoadSteppingParameters &steps = load_stepping;
     require(steps.end_time > 0.,
             "load stepping/end time",

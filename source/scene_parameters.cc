@@ -97,6 +97,17 @@ namespace Setae
                       "lateral surface, or their charge, of either sign "
                       "[1/length^2].",
                       Patterns::Double());
+    prm.add_parameter("density",
+                      density,
+                      "Mass per volume [mass/length^3], positive in a scene "
+                      "with dynamics; statics does not use it.",
+                      non_negative());
+    prm.add_parameter("initial velocity",
+                      initial_velocity,
+                      "The velocity at time 0 in a scene with dynamics, "
+                      "x; y; z, as formulas of the arc length s and of the "
+                      "numbers i, j, k of the copy [length/time].",
+                      Patterns::Anything());
     beam = TorsionFreeKirchhoff::name;
     prm.add_parameter("beam",
                       beam,

@@ -22,14 +22,16 @@ namespace Setae
     std::string               name;
     std::string               centerline = "s; 0; 0";
     std::string               mesh_file;
-    std::vector<unsigned int> copies          = {1};
-    double                    length          = 1.;
-    double                    radius          = .01;
-    double                    youngs_modulus  = 1.;
-    double                    poisson_ratio   = .3;
-    unsigned int              n_cells         = 16;
-    double                    number_density  = 1.;
-    double                    surface_density = 1.;
+    std::vector<unsigned int> copies           = {1};
+    double                    length           = 1.;
+    double                    radius           = .01;
+    double                    youngs_modulus   = 1.;
+    double                    poisson_ratio    = .3;
+    unsigned int              n_cells          = 16;
+    double                    number_density   = 1.;
+    double                    surface_density  = 1.;
+    double                    density          = 0.;
+    std::string               initial_velocity = "0; 0; 0";
     std::string               beam;
 
     void
@@ -121,6 +123,37 @@ namespace Setae
 
 
 
+  /** Whether the fibers have inertia, and how their motion is integrated. */
+  struct DynamicsParameters
+  {
+    std::string  integrator           = "none";
+    double       end_time             = 1.;
+    double       time_step            = 1e-3;
+    double       tolerance            = 0.;
+    double       largest_step         = 0.;
+    double       smallest_step        = 0.;
+    double       largest_displacement = 0.;
+    double       rho_infinity         = .9;
+    double       damping              = 0.;
+    unsigned int max_order            = 2;
+
+    /** Otherwise the scene is static. */
+    bool
+    is_on() const
+    {
+      return integrator != "none";
+    }
+
+    /** @throws ExcParameter if they do not fit each other or the fibers. */
+    void
+    check(const std::vector<FiberParameters> &fibers) const;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+  };
+
+
+
   /** How the equilibrium of one load step is found. */
   struct NewtonParameters
   {
@@ -181,6 +214,7 @@ namespace Setae
     std::vector<LoadParameters>        loads;
     std::vector<InteractionParameters> interactions;
     LoadSteppingParameters             load_stepping;
+    DynamicsParameters                 dynamics;
     NewtonParameters                   newton;
     OutputParameters                   output;
     std::string                        verification = "none";
@@ -198,6 +232,13 @@ namespace Setae
     /** Whether fibers may overlap a little because a contact force acts. */
     bool
     has_contact() const;
+
+    /** The time at which the run is over, of load steps or of a motion. */
+    double
+    end_time() const
+    {
+      return dynamics.is_on() ? dynamics.end_time : load_stepping.end_time;
+    }
 
     /** The indices 0, 1, 2 of the coordinates that are not switched off. */
     std::vector<unsigned int>

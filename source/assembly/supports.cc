@@ -5,6 +5,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <setae/assembly/supports.h>
+#include <setae/base/differentiate.h>
 #include <setae/base/exceptions.h>
 
 #include <algorithm>
@@ -62,7 +63,8 @@ namespace Setae
     for (unsigned int i = 0; i < fibers.scene.supports.size(); ++i)
       add_support(i);
     hold_rigid_fibers();
-    check_every_fiber();
+    if (!fibers.scene.dynamics.is_on())
+      check_every_fiber();
 
     for (const auto &[dof, entry] : prescribed)
       homogeneous.add_line(dof);
@@ -93,8 +95,14 @@ namespace Setae
           {
             expressions.push_back(std::make_unique<Expression>(
               path + entry, parts[c], "t", constants));
-            result[c] = expressions.back().get();
-            (*result[c])(0.); // finite, or there is nothing to begin with
+            result[c]            = expressions.back().get();
+            const double initial = (*result[c])(0.); // must be finite
+            AssertThrow(
+              initial == 0. || !fibers.scene.dynamics.is_on(),
+              ExcParameter(path + entry,
+                           text,
+                           "zero at time 0 in a scene with dynamics, "
+                                           "where a motion cannot begin with a jump"));
           }
       return result;
     };
@@ -197,6 +205,24 @@ namespace Setae
       }
     constraints.close();
     return constraints;
+  }
+
+
+
+  std::map<types::global_dof_index, std::array<double, 3>>
+  Supports::motion_at(const double time, const double spacing) const
+  {
+    // Many degrees of freedom share a formula.
+    std::map<const Expression *, std::array<double, 3>>      motions;
+    std::map<types::global_dof_index, std::array<double, 3>> result;
+    for (const auto &[dof, entry] : prescribed)
+      {
+        const Expression &value = *entry.value;
+        if (motions.count(&value) == 0)
+          motions[&value] = differentiate(value, time, spacing, 0.);
+        result[dof] = motions[&value];
+      }
+    return result;
   }
 
 

@@ -67,7 +67,7 @@ namespace Setae
   void
   Progress::print_step(const StepRecord &record)
   {
-    const double       progress = record.time / scene.load_stepping.end_time;
+    const double       progress = record.time / scene.end_time();
     std::ostringstream line;
     line << "step " << std::setw(4) << record.step << "  t " << std::fixed
          << std::setprecision(6) << record.time << "  dt " << std::scientific
@@ -81,6 +81,9 @@ namespace Setae
     line << "  energy";
     for (unsigned int i = 0; i < term_names.size(); ++i)
       line << ' ' << term_names[i] << ' ' << record.evaluation.energies[i];
+    if (record.motion)
+      line << " kinetic " << record.motion->momenta.kinetic_energy << " total "
+           << record.motion->total_energy;
     line << std::fixed << std::setprecision(1) << "  " << record.wall_time
          << " s";
     if (progress > 0. && progress < 1.)

@@ -84,7 +84,7 @@ namespace Setae
   bool
   ResultFiles::is_due(const StepRecord &record) const
   {
-    return record.is_snap || record.time >= scene.load_stepping.end_time ||
+    return record.is_snap || record.time >= scene.end_time() ||
            record.time >=
              last_field_output + scene.output.interval * (1. - 1e-10);
   }

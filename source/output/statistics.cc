@@ -4,11 +4,18 @@
 #include <setae/base/exceptions.h>
 #include <setae/output/statistics.h>
 
-#include <cstdio>
 #include <fstream>
+#include <sstream>
 
 namespace Setae
 {
+  namespace
+  {
+    const char *const axes[] = {"x", "y", "z"};
+  }
+
+
+
   Statistics::Statistics(const std::vector<std::string> &term_names)
     : term_names(term_names)
   {}
@@ -16,19 +23,39 @@ namespace Setae
 
 
   void
+  Statistics::add_number(const std::string &name, const double value)
+  {
+    table.add_value(name, value);
+    table.set_precision(name, 12);
+    table.set_scientific(name, true);
+  }
+
+
+
+  void
+  Statistics::add_motion(const MotionReport &motion)
+  {
+    add_number("kinetic energy", motion.momenta.kinetic_energy);
+    add_number("total energy", motion.total_energy);
+    add_number("support work", motion.support_work);
+    add_number("dissipated energy", motion.dissipation);
+    for (unsigned int c = 0; c < 3; ++c)
+      add_number(std::string("linear momentum ") + axes[c],
+                 motion.momenta.linear[c]);
+    for (unsigned int c = 0; c < 3; ++c)
+      add_number(std::string("angular momentum ") + axes[c],
+                 motion.momenta.angular[c]);
+  }
+
+
+
+  void
   Statistics::add(const StepRecord &record)
   {
-    const auto add_number = [this](const std::string &name,
-                                   const double       value) {
-      table.add_value(name, value);
-      table.set_precision(name, 12);
-      table.set_scientific(name, true);
-    };
-
+    table.clear();
     table.add_value("step", record.step);
     add_number("time", record.time);
     add_number("step size", record.step_size);
-    const char *axes[] = {"x", "y", "z"};
     for (const SupportReport &support : record.supports)
       for (unsigned int c = 0; c < 3; ++c)
         if (support.held[c])
@@ -45,6 +72,8 @@ namespace Setae
                    load.displacement[c]);
     for (unsigned int i = 0; i < term_names.size(); ++i)
       add_number(term_names[i] + " energy", record.evaluation.energies[i]);
+    if (record.motion)
+      add_motion(*record.motion);
     if (record.has_interactions)
       add_number("smallest gap", record.evaluation.gaps.smallest);
     add_number("residual", record.evaluation.residual_norm);
@@ -58,18 +87,24 @@ namespace Setae
 
 
   void
-  Statistics::write(const std::string &directory) const
+  Statistics::write(const std::string &directory)
   {
-    const std::string name      = directory + "/statistics.txt";
-    const std::string temporary = name + ".new";
-    {
-      std::ofstream stream(temporary);
-      table.write_text(
-        stream, dealii::TableHandler::table_with_separate_column_description);
-      AssertThrow(stream.good(),
-                  ExcRun("The file '" + temporary + "' cannot be written."));
-    }
-    AssertThrow(std::rename(temporary.c_str(), name.c_str()) == 0,
+    const std::string  name = directory + "/statistics.txt";
+    std::ostringstream text;
+    table.write_text(
+      text, dealii::TableHandler::table_with_separate_column_description);
+
+    // The columns are described once.
+    std::istringstream lines(text.str());
+    std::string        new_text, line;
+    while (std::getline(lines, line))
+      if (is_new || line[0] != '#')
+        new_text += line + '\n';
+
+    std::ofstream stream(name, is_new ? std::ios::trunc : std::ios::app);
+    stream << new_text << std::flush;
+    is_new = false;
+    AssertThrow(stream.good(),
                 ExcRun("The file '" + name + "' cannot be written."));
   }
 } // namespace Setae

@@ -17,9 +17,10 @@ namespace Setae
 
 
   SolverResult
-  Newton::solve(NonlinearSystem &system,
-                Vector          &solution,
-                const double     time) const
+  Newton::solve(NonlinearSystem       &system,
+                Vector                &solution,
+                const double           time,
+                const SupportIncrement supports) const
   {
     // An increment that helps only when it is much shorter than it should be
     // belongs to a load step that is too long: giving up soon is cheaper.
@@ -42,12 +43,21 @@ namespace Setae
 
     SolverResult result;
     Vector       current(solution), increment(solution), trial(solution);
-    Evaluation   state =
-      system.evaluate(current, time, SupportIncrement::to_prescribed);
+    Evaluation   state = system.evaluate(current, time, supports);
+    if (supports == SupportIncrement::at_rest)
+      {
+        if (!state.is_valid)
+          {
+            result.reason = state.reason;
+            return result;
+          }
+        last_norms.push_back(state.residual_norm);
+      }
 
     while (result.n_iterations < parameters.max_n_iterations)
       {
-        const bool is_predictor = result.n_iterations == 0;
+        const bool is_predictor = result.n_iterations == 0 &&
+                                  supports == SupportIncrement::to_prescribed;
         ++result.n_iterations;
         if (!system.solve(increment))
           {

@@ -106,6 +106,15 @@ load stepping/first step|0|positive
 load stepping/smallest step|0|positive
 load stepping/largest step|-1|positive
 load stepping/growth|0.5|Double 1
+fibers/left/density|-1|Double 0
+dynamics/integrator|leapfrog|none|generalized-alpha|IDA
+dynamics/end time|-1|Double 0
+dynamics/time step|-1|Double 0
+dynamics/tolerance|-1|Double 0
+dynamics/damping|-1|Double 0
+dynamics/rho infinity|1.1|0...1
+dynamics/rho infinity|-0.1|Double 0...1
+dynamics/largest order|6|1...5
 newton/iterations|0|1...
 newton/residual tolerance|0|positive
 newton/increment tolerance|0|positive
@@ -170,6 +179,36 @@ with_prefactors "-1" 3 disk-disk "'interactions/adhesion/exponents'" "'3'" \
   "at least 4 for the law 'disk-disk'"
 with_prefactors "-1" 5 disk-cylinder "'interactions/adhesion/exponents'" \
   "'5'" "at least 6 for the law 'disk-cylinder'"
+
+# Motions: with inertia there is more that can be wrong.
+motion=(--set "fibers/left/density=1" --set "fibers/right/density=1"
+  --set "dynamics/integrator=generalized-alpha" --set "dynamics/end time=1e-6"
+  --set "dynamics/time step=1e-6")
+run two_fibers.prm "${motion[@]}" --output good
+check "the unchanged motion fails" [ "$status" -eq 0 ]
+while IFS='|' read -r parameter value allowed; do
+  [[ -z $parameter ]] ||
+    rejects two_fibers.prm "${motion[@]}" --set "$parameter=$value" -- \
+      "'$parameter'" "'$value'" "$allowed"
+done <<'END'
+fibers/left/density|0|positive in a scene with dynamics
+fibers/left/initial velocity|0; 0|three formulas
+dynamics/end time|0|positive
+dynamics/time step|0|positive
+dynamics/smallest step|1|at most the time step
+dynamics/largest step|5e-07|at least the time step
+END
+rejects two_fibers.prm "${motion[@]}" \
+  --set "fibers/left/initial velocity=0; q*s; 0" -- \
+  "'fibers/left/initial velocity'" "'q*s'" "a formula"
+rejects two_fibers.prm "${motion[@]}" \
+  --set "supports/held/displacement=0.1; 0; free" -- \
+  "'supports/held/displacement'" "'0.1; 0; free'" "zero at time 0"
+rejects two_fibers.prm "${motion[@]}" --set "dynamics/integrator=IDA" -- \
+  "'dynamics/tolerance'" "'0'" "positive for the integrator IDA"
+rejects two_fibers.prm "${motion[@]}" --set "dynamics/integrator=IDA" \
+  --set "dynamics/tolerance=1e-6" --set "dynamics/largest displacement=1" -- \
+  "'dynamics/largest displacement'" "'1'" "which cannot bound it"
 
 # Where nothing can be written: below a file, and in the place of one.
 for directory in /dev/null/x two_fibers.prm/x two_fibers.prm; do

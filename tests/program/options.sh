@@ -46,8 +46,8 @@ check "undocumented: $(awk '
        /^ *set / && !comment { bad = 1 }
                { comment = 0 }
        END     { exit bad }' all.prm
-for section in NAME fibers supports loads interactions "load stepping" newton \
-  output; do
+for section in NAME fibers supports loads interactions "load stepping" \
+  dynamics newton output; do
   check "no section '$section'" on_stdout "^ *subsection $section\$"
 done
 

@@ -36,7 +36,7 @@ namespace Setae
   public:
     /**
      * @throws ExcParameter if a place has no node, a component is held twice,
-     * or a fiber is not supported at all.
+     * or in a static scene a fiber is not supported at all.
      */
     explicit Supports(const FiberSystem &fibers);
 
@@ -54,6 +54,14 @@ namespace Setae
     {
       return homogeneous;
     }
+
+    /**
+     * Value, velocity and acceleration of each prescribed degree of freedom.
+     * The derivatives are taken from values @p spacing apart, none of them
+     * before time 0.
+     */
+    std::map<dealii::types::global_dof_index, std::array<double, 3>>
+    motion_at(const double time, const double spacing) const;
 
     /** Displacements and reactions, the same on every rank. */
     std::vector<SupportReport>

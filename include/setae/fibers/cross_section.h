@@ -11,6 +11,15 @@
 
 namespace Setae
 {
+  /** The area of a solid circular section [length^2]. */
+  inline double
+  area_of_circular_section(const FiberParameters &fiber)
+  {
+    return M_PI * fiber.radius * fiber.radius;
+  }
+
+
+
   /**
    * The stiffness of a solid circular section: @f$EA=E\pi R^2@f$,
    * @f$EI=E\pi R^4/4@f$.
@@ -18,7 +27,7 @@ namespace Setae
   inline SectionStiffness
   circular_section(const FiberParameters &fiber)
   {
-    const double area = M_PI * fiber.radius * fiber.radius;
+    const double area = area_of_circular_section(fiber);
     return {fiber.youngs_modulus * area,
             fiber.youngs_modulus * area * fiber.radius * fiber.radius / 4.};
   }

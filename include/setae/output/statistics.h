@@ -14,8 +14,10 @@
 namespace Setae
 {
   /**
-   * The table of all load steps, `statistics.txt`: one line a step, the columns
-   * named in the header, ready for gnuplot.
+   * The table of all steps, `statistics.txt`: one line a step, the columns
+   * named in the header, ready for gnuplot. A line is written as soon as it is
+   * known, so that a run of many steps does not write all of them again and
+   * again.
    */
   class Statistics
   {
@@ -23,16 +25,24 @@ namespace Setae
     /** @p term_names: the column of each energy in Evaluation::energies. */
     explicit Statistics(const std::vector<std::string> &term_names);
 
+    /** The step to write next. */
     void
     add(const StepRecord &record);
 
-    /** Replace the file as a whole, so that it is never half written. */
+    /** Append the step to the file, which the first call makes anew. */
     void
-    write(const std::string &directory) const;
+    write(const std::string &directory);
 
   private:
+    void
+    add_number(const std::string &name, const double value);
+
+    void
+    add_motion(const MotionReport &motion);
+
     std::vector<std::string> term_names;
-    dealii::TableHandler     table;
+    dealii::TableHandler     table; ///< of one step
+    bool                     is_new = true;
   };
 } // namespace Setae
 

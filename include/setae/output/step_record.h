@@ -4,10 +4,13 @@
 #ifndef setae_output_step_record_h
 #define setae_output_step_record_h
 
+#include <setae/assembly/momenta.h>
 #include <setae/assembly/supports.h>
 #include <setae/solvers/nonlinear_system.h>
 
+#include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,22 +25,51 @@ namespace Setae
 
 
 
-  /** One load step, as it goes to the screen and into the statistics. */
+  /** What is known of a step of a motion beyond that of a load step. */
+  struct MotionReport
+  {
+    Momenta momenta;
+
+    /** What the supports have done on the fibers since time 0 [energy]. */
+    double support_work = 0.;
+
+    /** What the viscous damping has taken away since time 0 [energy]. */
+    double dissipation = 0.;
+
+    /** The sum of the energies of all terms and of the kinetic one [energy]. */
+    double total_energy = 0.;
+  };
+
+
+
+  /** One load or time step, as it goes to the screen and to the statistics. */
   struct StepRecord
   {
-    unsigned int               step      = 0;
-    double                     time      = 0.;
-    double                     step_size = 0.;
-    std::vector<SupportReport> supports;
-    std::vector<LoadReport>    loads;
-    Evaluation                 evaluation;
-    bool                       has_interactions      = false;
-    unsigned int               n_iterations          = 0; ///< of this step
-    unsigned int               n_iterations_rejected = 0; ///< before it
-    unsigned int               n_rejected = 0;     ///< attempts before it
-    bool                       is_snap    = false; ///< by the overdamped motion
-    double                     wall_time  = 0.;    ///< since the start [s]
+    unsigned int                step      = 0;
+    double                      time      = 0.;
+    double                      step_size = 0.;
+    std::vector<SupportReport>  supports;
+    std::vector<LoadReport>     loads;
+    Evaluation                  evaluation;
+    bool                        has_interactions      = false;
+    unsigned int                n_iterations          = 0; ///< of this step
+    unsigned int                n_iterations_rejected = 0; ///< before it
+    unsigned int                n_rejected = 0;    ///< attempts before it
+    bool                        is_snap   = false; ///< by the overdamped motion
+    double                      wall_time = 0.;    ///< since the start [s]
+    std::optional<MotionReport> motion;            ///< none in a static scene
   };
+
+
+
+  /**
+   * Called with each step once it is solved: what is known of it so far, and
+   * the unknowns of this rank.
+   */
+  using StepVisitor =
+    std::function<void(StepRecord                     record,
+                       const SolverResult            &result,
+                       const NonlinearSystem::Vector &solution)>;
 
 
 

@@ -44,10 +44,15 @@ namespace Setae
 
     /**
      * Find the equilibrium at @p time, starting from @p solution, which is left
-     * unchanged if that fails.
+     * unchanged if that fails. If the @p supports are at rest, the first
+     * increment is a correction as the further ones.
      */
     SolverResult
-    solve(NonlinearSystem &system, Vector &solution, const double time) const;
+    solve(
+      NonlinearSystem       &system,
+      Vector                &solution,
+      const double           time,
+      const SupportIncrement supports = SupportIncrement::to_prescribed) const;
 
   private:
     NewtonParameters parameters;

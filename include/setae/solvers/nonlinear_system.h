@@ -17,13 +17,13 @@ namespace Setae
   /** What is known of a state after an evaluation, the same on every rank. */
   struct Evaluation
   {
-    double              residual_norm = 0.; ///< of the free unknowns [force]
-    double              energy        = 0.; ///< the sum [energy]
+    double residual_norm = 0.; ///< of the free unknowns [force]
+    double energy        = 0.; ///< the sum [energy]
 
     /** What round-off leaves in the residual, however small it is [force]. */
     double round_off = 0.;
 
-    std::vector<double> energies;           ///< of each term [energy]
+    std::vector<double> energies; ///< of each term [energy]
     GapReport           gaps;
 
     /** Whether all numbers are finite and every law could be evaluated. */

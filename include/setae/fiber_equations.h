@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 The Setae authors
+
+#ifndef setae_fiber_equations_h
+#define setae_fiber_equations_h
+
+#include <deal.II/base/timer.h>
+
+#include <setae/assembly/inertia.h>
+#include <setae/assembly/load.h>
+#include <setae/assembly/strain_energy.h>
+#include <setae/assembly/supports.h>
+#include <setae/solvers/dynamic_system.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Setae
+{
+  /**
+   * The equations of a scene as the solvers see them: the sum of its energy
+   * terms, with inertia if it moves, and its supports.
+   */
+  class FiberEquations : public DynamicSystem
+  {
+  public:
+    /**
+     * @throws ExcInput, ExcParameter if terms or supports do not fit the
+     * fibers.
+     */
+    FiberEquations(const FiberSystem &fibers, dealii::TimerOutput &timer);
+
+    Evaluation
+    evaluate(const Vector          &solution,
+             const double           time,
+             const SupportIncrement supports) override;
+
+    bool
+    solve(Vector &increment) override;
+
+    double
+    add_damping(const Vector &coefficients, const Vector &motion) override;
+
+    Vector
+    diagonal() const override;
+
+    double
+    largest_displacement(const Vector &increment) const override;
+
+    // For motions, in fiber_motion.cc.
+
+    Evaluation
+    evaluate_motion(const Vector &solution,
+                    const Vector &rate,
+                    const double  mass_factor,
+                    const double  time,
+                    const Request request) override;
+
+    const Vector &
+    residual() const override
+    {
+      return system.residual;
+    }
+
+    void
+    prescribe(Motion &motion, const double time) override;
+
+    Vector
+    unit_displacements() const override;
+
+    void
+    set_supports_to_zero(Vector &vector) const override;
+
+    Motion
+    initial_motion() override;
+
+    Vector
+    times_mass(const Vector &vector) override;
+
+    bool
+    solve(const Vector &right_hand_side, Vector &result) override;
+
+    Momenta
+    momenta(const Motion &motion) override;
+
+    double
+    support_power(const Motion &motion) override;
+
+    // For the driver and its output.
+
+    /** The state of locally owned unknowns, on every rank. */
+    State
+    state(const Vector &solution, const double time) const;
+
+    /** Whether the residual is the gradient of the energy. */
+    bool
+    has_potential() const;
+
+    /** Where the smallest gap is, in words. */
+    std::string
+    where(const GapReport &gaps) const;
+
+    /** What the supports do, with the reactions of the last evaluation. */
+    std::vector<SupportReport>
+    support_reports(const double time) const
+    {
+      return supports.report(time, system.residual);
+    }
+
+    std::size_t
+    n_nonzero_elements() const
+    {
+      return system.tangent_matrix.n_nonzero_elements();
+    }
+
+    std::vector<std::unique_ptr<EnergyTerm>> terms;
+    const StrainEnergy                      *strain; ///< the first of the terms
+    std::vector<const Load *>                loads;  ///< among the terms
+
+  private:
+    /** What inertia adds to an evaluation. */
+    struct InertiaForce
+    {
+      const Vector &rate;
+      double        mass_factor;
+    };
+
+    void
+    setup_terms();
+
+    void
+    find_pairs(const State &state);
+
+    void
+    setup_matrix();
+
+    void
+    assemble_system(const State                             &state,
+                    const Request                            request,
+                    const dealii::AffineConstraints<double> &constraints,
+                    const InertiaForce                      *inertia_force,
+                    Evaluation                              &evaluation);
+
+    void
+    judge(Evaluation &evaluation) const;
+
+    const FiberSystem   &fibers;
+    const Scene         &scene;
+    const MPI_Comm       communicator;
+    dealii::TimerOutput &timer;
+
+    Supports                 supports;
+    std::unique_ptr<Inertia> inertia; ///< none in a static scene
+    GlobalSystem             system;
+
+    dealii::IndexSet                  all_dofs;
+    mutable Vector                    everywhere; ///< a solution, on all ranks
+    dealii::AffineConstraints<double> increment_constraints;
+    bool                              increment_at_rest = true;
+  };
+} // namespace Setae
+
+#endif

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 The Setae authors
+
+#ifndef setae_solvers_generalized_alpha_h
+#define setae_solvers_generalized_alpha_h
+
+#include <setae/scene.h>
+#include <setae/solvers/dynamic_system.h>
+#include <setae/solvers/newton.h>
+
+namespace Setae
+{
+  /**
+   * One step of the implicit generalized-alpha method (Chung, Hulbert 1993) in
+   * the form of Arnold and Bruels (2007): the balance of forces holds at the
+   * end of each step,
+   * @f[ M\ddot X_{n+1} + cM\dot X_{n+1} + R(X_{n+1},t_{n+1}) = 0, @f]
+   * and Newmark's formulas take an auxiliary acceleration a with
+   * @f[ (1-\alpha_m)\,a_{n+1}+\alpha_m a_n
+   *     = (1-\alpha_f)\,\ddot X_{n+1}+\alpha_f\ddot X_n. @f]
+   * With a constant mass matrix these are the displacements of Chung and
+   * Hulbert's method with the weighted mean of the forces of both ends. Second
+   * order, unconditionally stable for linear systems; one parameter, the
+   * spectral radius at infinity. With the value one it is the trapezoidal rule,
+   * which keeps the energy of linear systems.
+   *
+   * Prescribed entries take displacement, velocity and acceleration of their
+   * formulas; Newmark's formulas would let their accelerations oscillate.
+   */
+  class GeneralizedAlpha
+  {
+  public:
+    using Vector = NonlinearSystem::Vector;
+
+    /** The constants of the method. */
+    struct Coefficients
+    {
+      double alpha_m, alpha_f, beta, gamma;
+
+      /** @p rho_infinity is the spectral radius at infinity, in [0,1]. */
+      explicit Coefficients(const double rho_infinity);
+
+      /**
+       * The factor of @f$h^3\dddot X@f$ in the displacement after one step,
+       * less that of the exact solution.
+       */
+      double
+      error_constant() const
+      {
+        return beta + .5 * (alpha_m - alpha_f) - 1. / 6.;
+      }
+    };
+
+    /** @p motion is the state at time 0. */
+    GeneralizedAlpha(const DynamicsParameters &dynamics,
+                     const NewtonParameters   &newton,
+                     const Newton::Log        &log,
+                     const Motion             &motion);
+
+    /** The state after the last step. */
+    const Motion &
+    motion() const
+    {
+      return last;
+    }
+
+    /**
+     * Solve for the state at @p time, a step of @p step_size after the last
+     * one. It becomes the last state only by accept().
+     */
+    SolverResult
+    try_step(DynamicSystem &system, const double time, const double step_size);
+
+    /** Take the state that try_step() has found. */
+    void
+    accept();
+
+    /** The largest displacement of a node in the step tried last [length]. */
+    double
+    largest_displacement(const DynamicSystem &system) const;
+
+    /**
+     * The estimated error of the displacement in the step tried last, the
+     * largest of any node [length]: the leading term of the truncation error,
+     * with the third derivative from the difference of the accelerations. Fast
+     * vibrations that the step does not resolve, and does not have to, are
+     * filtered out with the matrix of the last iteration (as in Hairer and
+     * Wanner, Solving ODEs II, IV.8).
+     */
+    double
+    error(DynamicSystem &system) const;
+
+  private:
+    /** Motion and auxiliary acceleration as the step is predicted. */
+    struct Prediction
+    {
+      Motion motion;
+      Vector auxiliary;
+    };
+
+    Prediction
+    predict(DynamicSystem &system,
+            const double   time,
+            const Vector  &auxiliary) const;
+
+    SolverResult
+    correct(DynamicSystem    &system,
+            const double      time,
+            const Prediction &prediction);
+
+    Vector
+    rate(const Motion &motion) const;
+
+    /** The derivatives by the displacement at the end of the step. */
+    double
+    auxiliary_factor() const;
+    double
+    velocity_factor() const;
+    double
+    acceleration_factor() const;
+
+    const Coefficients coefficients;
+    const double       damping;
+    const Newton       newton;
+
+    Motion last, next;
+    Vector last_auxiliary, next_auxiliary;
+    double step_size = 0., last_step_size = 0.;
+  };
+} // namespace Setae
+
+#endif

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 The Setae authors
+
+#ifndef setae_static_run_h
+#define setae_static_run_h
+
+#include <setae/fiber_equations.h>
+#include <setae/output/progress.h>
+#include <setae/solvers/load_stepping.h>
+
+namespace Setae
+{
+  /**
+   * The run of a static scene: an equilibrium for each load step, and the
+   * overdamped motion to the next one where a branch ends.
+   */
+  class StaticRun
+  {
+  public:
+    using Vector = NonlinearSystem::Vector;
+
+    /** @throws ExcParameter if the formula of the load steps is wrong. */
+    StaticRun(const Scene    &scene,
+              FiberEquations &equations,
+              Progress       &progress);
+
+    /**
+     * Go through all load steps from the unknowns in @p solution.
+     *
+     * @throws ExcRun if a step has no solution, with what happened where.
+     */
+    void
+    run(Vector &solution, const StepVisitor &visit);
+
+  private:
+    SolverResult
+    solve_step(Vector &solution, StepRecord &record);
+
+    const Scene      &scene;
+    FiberEquations   &equations;
+    Progress         &progress;
+    const Newton::Log log;
+    const Newton      newton;
+    LoadStepping      steps;
+  };
+} // namespace Setae
+
+#endif

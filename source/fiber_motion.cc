@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 The Setae authors
+
+#include <setae/base/exceptions.h>
+#include <setae/fiber_equations.h>
+
+namespace Setae
+{
+  using namespace dealii;
+
+  Evaluation
+  FiberEquations::evaluate_motion(const Vector &solution,
+                                  const Vector &rate,
+                                  const double  mass_factor,
+                                  const double  time,
+                                  const Request request)
+  {
+    const State state = this->state(solution, time);
+    find_pairs(state);
+
+    increment_at_rest = true;
+    const InertiaForce inertia_force{rate, mass_factor};
+    Evaluation         evaluation;
+    assemble_system(
+      state, request, supports.at_rest(), &inertia_force, evaluation);
+    judge(evaluation);
+    return evaluation;
+  }
+
+
+
+  void
+  FiberEquations::prescribe(Motion &motion, const double time)
+  {
+    // The integrators see motions through their time steps; IDA takes shorter
+    // ones than it reports.
+    const DynamicsParameters &dynamics = scene.dynamics;
+    const double              spacing =
+      (dynamics.integrator == "IDA" ? .01 : 1.) * dynamics.time_step;
+    for (const auto &[dof, values] : supports.motion_at(time, spacing))
+      if (fibers.owned_dofs.is_element(dof))
+        {
+          motion.displacement(dof) = values[0];
+          motion.velocity(dof)     = values[1];
+          motion.acceleration(dof) = values[2];
+        }
+    for (Vector *vector :
+         {&motion.displacement, &motion.velocity, &motion.acceleration})
+      vector->compress(VectorOperation::insert);
+  }
+
+
+
+  FiberEquations::Vector
+  FiberEquations::unit_displacements() const
+  {
+    Vector result(fibers.owned_dofs, communicator);
+    for (unsigned int cell = 0; cell < fibers.initial.size(); ++cell)
+      for (unsigned int i = 0; i < 12; ++i)
+        {
+          const auto dof = fibers.cell_dofs[cell][i];
+          if (dof != numbers::invalid_dof_index &&
+              fibers.owned_dofs.is_element(dof))
+            {
+              const bool is_tangent = (i / 3) % 2 == 1;
+              result(dof)           = is_tangent ? fibers.initial[cell].h : 1.;
+            }
+        }
+    result.compress(VectorOperation::insert);
+    return result;
+  }
+
+
+
+  void
+  FiberEquations::set_supports_to_zero(Vector &vector) const
+  {
+    supports.at_rest().set_zero(vector);
+  }
+
+
+
+  Motion
+  FiberEquations::initial_motion()
+  {
+    const Vector zero(fibers.owned_dofs, communicator);
+    Motion       motion{zero, inertia->initial_velocity(), zero};
+    prescribe(motion, 0.);
+
+    Vector rate(motion.acceleration);
+    rate.add(scene.dynamics.damping, motion.velocity);
+    evaluate_motion(motion.displacement, rate, 0., 0., Request::residual);
+    Vector force(system.residual);
+    force *= -1.;
+    set_supports_to_zero(force);
+
+    // The matrix is that of the mass alone.
+    system.start(Request::tangent, supports.at_rest());
+    inertia->add(zero, 1., system);
+    system.finish();
+    Vector acceleration(zero);
+    AssertThrow(solve(force, acceleration),
+                ExcRun("There is no initial acceleration: the mass matrix is "
+                       "singular."));
+    motion.acceleration += acceleration;
+    return motion;
+  }
+
+
+
+  FiberEquations::Vector
+  FiberEquations::times_mass(const Vector &vector)
+  {
+    return inertia->multiply(vector);
+  }
+
+
+
+  Momenta
+  FiberEquations::momenta(const Motion &motion)
+  {
+    return inertia->momenta(state(motion.displacement, 0.), motion.velocity);
+  }
+
+
+
+  double
+  FiberEquations::support_power(const Motion &motion)
+  {
+    Vector reactions(system.residual), free(system.residual);
+    set_supports_to_zero(free);
+    reactions -= free;
+    return reactions * motion.velocity;
+  }
+} // namespace Setae

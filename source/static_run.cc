@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 The Setae authors
+
+#include <setae/base/exceptions.h>
+#include <setae/solvers/relaxation.h>
+#include <setae/static_run.h>
+
+#include <sstream>
+
+namespace Setae
+{
+  StaticRun::StaticRun(const Scene    &scene,
+                       FiberEquations &equations,
+                       Progress       &progress)
+    : scene(scene)
+    , equations(equations)
+    , progress(progress)
+    , log([&progress](const IterationReport &report) {
+      progress.print_iteration(report);
+    })
+    , newton(scene.newton, log)
+    , steps(scene.load_stepping, scene.constants)
+  {}
+
+
+
+  void
+  StaticRun::run(Vector &solution, const StepVisitor &visit)
+  {
+    // The fibers as they are given need not be in equilibrium.
+    const SolverResult initial =
+      Newton(scene.newton, [](const IterationReport &) {
+      }).solve(equations, solution, 0.);
+    AssertThrow(initial.converged,
+                ExcRun("There is no equilibrium at time 0: " + initial.reason +
+                       "."));
+    visit(StepRecord{}, initial, solution);
+
+    while (!steps.is_finished())
+      {
+        StepRecord         record;
+        const SolverResult result = solve_step(solution, record);
+        visit(record, result, solution);
+      }
+  }
+
+
+
+  SolverResult
+  StaticRun::solve_step(Vector &solution, StepRecord &record)
+  {
+    for (;;)
+      {
+        record.time      = steps.next_time();
+        record.step_size = steps.step_size();
+        const SolverResult result =
+          newton.solve(equations, solution, record.time);
+        if (result.converged)
+          {
+            steps.accept(result.n_iterations);
+            return result;
+          }
+        record.n_iterations_rejected += result.n_iterations;
+        ++record.n_rejected;
+        progress.print_rejection(result.reason);
+        if (steps.reject())
+          continue;
+
+        SolverResult relaxed = result;
+        if (scene.load_stepping.pass_instabilities && equations.has_potential())
+          relaxed = Relaxation(scene.newton, log)
+                      .solve(equations, solution, record.time);
+        std::ostringstream message;
+        message << "The load step from time " << steps.time() << " to "
+                << record.time << " has no solution: " << relaxed.reason
+                << ". The states before it are on disk.";
+        AssertThrow(relaxed.converged, ExcRun(message.str()));
+        record.is_snap = true;
+        steps.restart();
+        return relaxed;
+      }
+  }
+} // namespace Setae
