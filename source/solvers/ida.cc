@@ -46,6 +46,9 @@ namespace Setae
                BlockVector       &result)
       {
         return guarded([&]() {
+          last_time           = time;
+          last_y              = y;
+          last_y_dot          = y_dot;
           const Motion motion = evaluate(time, y, y_dot, 0., Request::residual);
           if (!last.is_valid)
             return 1;
@@ -92,7 +95,8 @@ namespace Setae
           force += right_hand_side.block(1);
           system.set_supports_to_zero(force);
           Vector displacement(force);
-          if (!system.solve(force, displacement))
+          if (!system.solve(force, displacement) &&
+              !(assemble_again() && system.solve(force, displacement)))
             return 1;
 
           Vector velocity(right_hand_side.block(1));
@@ -140,6 +144,21 @@ namespace Setae
           }
       }
 
+      /**
+       * The matrix at the state of the last residual: where fibers have become
+       * neighbors, its pattern has changed and its entries are gone.
+       */
+      bool
+      assemble_again()
+      {
+        evaluate(last_time,
+                 last_y,
+                 last_y_dot,
+                 alpha * (alpha + damping),
+                 Request::tangent);
+        return last.is_valid;
+      }
+
       /** With what the supports do instead of the prescribed unknowns. */
       Motion
       evaluate(const double       time,
@@ -159,7 +178,9 @@ namespace Setae
 
       DynamicSystem     &system;
       const double       damping;
-      double             alpha = 0.;
+      double             alpha     = 0.;
+      double             last_time = 0.;
+      BlockVector        last_y, last_y_dot;
       std::exception_ptr exception;
     };
 
