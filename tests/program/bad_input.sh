@@ -95,6 +95,12 @@ interactions/adhesion/frame|source|left out with the law 'disk-cylinder'
 interactions/adhesion/interaction moments|false|left out with the law 'disk-cylinder'
 interactions/adhesion/prefactors|-1, 1|'equilibrium gap' and 'force minimum'
 interactions/adhesion/exponents|6, 10|6, 12 with an equilibrium gap
+interactions/adhesion/distribution|edge|volume|surface
+interactions/adhesion/distribution|surface|volume for the law 'disk-cylinder'
+interactions/adhesion/strength|t+|formula
+interactions/adhesion/penalty|-1|Double
+interactions/adhesion/penalty|1|0 but for the law 'penalty-contact'
+interactions/adhesion/target ends|open|by law|clamped|finite
 interactions/adhesion/equilibrium gap|0|positive
 interactions/adhesion/force minimum|1|Double
 interactions/adhesion/force minimum|0|negative
@@ -171,6 +177,10 @@ with_prefactors() {
     --set "interactions/adhesion/exponents=$2" \
     --set "interactions/adhesion/law=$3" -- "${@:4}"
 }
+with_prefactors "1" 1 monopole "'interactions/adhesion/regularization gap'" \
+  "'monopole'"
+with_prefactors "1" 1 penalty-contact "'interactions/adhesion/penalty'" \
+  "positive"
 with_prefactors "" "6, 12" disk-disk "'interactions/adhesion/prefactors'" "''" \
   "'equilibrium gap' and 'force minimum'"
 with_prefactors "-1" "6, 12" disk-disk "'interactions/adhesion/prefactors'" \
