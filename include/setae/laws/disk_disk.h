@@ -4,7 +4,7 @@
 #ifndef setae_laws_disk_disk_h
 #define setae_laws_disk_disk_h
 
-#include <setae/base/invariants.h>
+#include <setae/laws/gap_law.h>
 #include <setae/laws/point_potential.h>
 #include <setae/laws/short_range.h>
 
@@ -20,11 +20,10 @@ namespace Setae
    * It knows nothing of the orientation of the disks: integrated over two
    * parallel cylinders it is too strong at small gaps.
    */
-  class DiskDisk
+  class DiskDisk : public GapLaw<ShortRange>
   {
   public:
     static constexpr const char *name          = "disk-disk";
-    static constexpr Invariants  depends_on    = Invariants::gap;
     static constexpr bool        is_long_range = false;
 
     /** Smallest exponent of the point potential for which the law exists. */
@@ -40,7 +39,7 @@ namespace Setae
     DiskDisk(const PointPotential &potential,
              const SectionPair    &sections,
              const GapRange       &range)
-      : gap_function(terms(potential, sections), range)
+      : GapLaw(ShortRange(terms(potential, sections), range))
     {}
 
     /**
@@ -60,36 +59,6 @@ namespace Setae
              (gamma * gamma);
     }
 
-    /** Energy per length squared and its derivatives with respect to the gap.
-     */
-    GapDerivatives
-    operator()(const double gap) const
-    {
-      return gap_function.derivatives(gap);
-    }
-
-    /** The energy alone, on any number type. */
-    template <typename Number>
-    Number
-    energy(const Number &gap) const
-    {
-      return gap_function.value(gap);
-    }
-
-    /** The gap [length] from which on the law is zero. */
-    double
-    cutoff() const
-    {
-      return gap_function.cutoff();
-    }
-
-    /** Whether the law can be evaluated at @p gap. */
-    bool
-    admits(const double gap) const
-    {
-      return gap_function.admits(gap);
-    }
-
   private:
     static std::vector<InversePowers::Term>
     terms(const PointPotential &potential, const SectionPair &sections)
@@ -101,8 +70,6 @@ namespace Setae
            power.exponent - 4});
       return result;
     }
-
-    ShortRange gap_function;
   };
 } // namespace Setae
 

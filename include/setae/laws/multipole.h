@@ -4,7 +4,7 @@
 #ifndef setae_laws_multipole_h
 #define setae_laws_multipole_h
 
-#include <setae/base/invariants.h>
+#include <setae/laws/gap_law.h>
 #include <setae/laws/inverse_distances.h>
 #include <setae/laws/point_potential.h>
 #include <setae/laws/short_range.h>
@@ -36,13 +36,12 @@ namespace Setae
    * gap of some radii.
    */
   template <unsigned int order>
-  class Multipole
+  class Multipole : public GapLaw<SmoothCutoff<InverseDistances>>
   {
     static_assert(order == 1 || order == 2);
 
   public:
     static constexpr const char  *name = order == 1 ? "monopole" : "quadrupole";
-    static constexpr Invariants   depends_on        = Invariants::gap;
     static constexpr bool         is_long_range     = true;
     static constexpr unsigned int smallest_exponent = 1;
 
@@ -59,41 +58,12 @@ namespace Setae
     Multipole(const PointPotential &potential,
               const SectionPair    &sections,
               const GapRange       &range)
-      : gap_function(InverseDistances(terms(potential, sections),
-                                      sections.radius_1 + sections.radius_2),
-                     range.cutoff_begin,
-                     range.cutoff)
+      : GapLaw(SmoothCutoff<InverseDistances>(
+          InverseDistances(terms(potential, sections),
+                           sections.radius_1 + sections.radius_2),
+          range.cutoff_begin,
+          range.cutoff))
     {}
-
-    /** Energy per length squared and its derivatives with respect to the gap.
-     */
-    GapDerivatives
-    operator()(const double gap) const
-    {
-      return gap_function.derivatives(gap);
-    }
-
-    /** The energy alone, on any number type. */
-    template <typename Number>
-    Number
-    energy(const Number &gap) const
-    {
-      return gap_function.value(gap);
-    }
-
-    /** The gap [length] from which on the law is zero. */
-    double
-    cutoff() const
-    {
-      return gap_function.cutoff();
-    }
-
-    /** Whether the law can be evaluated at @p gap. */
-    bool
-    admits(const double gap) const
-    {
-      return gap_function.admits(gap);
-    }
 
   private:
     static double
@@ -124,8 +94,6 @@ namespace Setae
         }
       return result;
     }
-
-    SmoothCutoff<InverseDistances> gap_function;
   };
 } // namespace Setae
 
