@@ -154,27 +154,28 @@ namespace Setae
             result.push_back(
               {"2D, " + std::to_string(n) + "^2 points",
                [=](const Place &place) { return point_charges(place, n); }});
-        for_each_law(
-          coulomb().powers,
-          equal_sections(Distribution::surface),
-          [&](const std::string &name, const auto &law) {
-            if constexpr (std::decay_t<decltype(law)>::depends_on ==
-                          Invariants::gap)
-              {
-                if (of_rings)
-                  result.push_back({name, [=](const Place &place) {
-                                      const GapDerivatives f = law(place.gap);
-                                      return Interaction{f.value, -f.first};
-                                    }});
-                else
-                  for (const unsigned int n_cells : {16, 64})
-                    result.push_back(
-                      {name + ", " + std::to_string(n_cells) + " elements",
-                       [=](const Place &place) {
-                         return finite_fibers(law, place, n_cells);
-                       }});
-              }
-          });
+        for_each_law(coulomb().powers,
+                     equal_sections(Distribution::surface),
+                     [&](const std::string &name, const auto &law) {
+                       if constexpr (std::decay_t<decltype(law)>::depends_on ==
+                                     Invariants::gap)
+                         {
+                           if (of_rings)
+                             result.push_back(
+                               {name, [=](const Place &place) {
+                                  const GapDerivatives f = law(place.gap);
+                                  return Interaction{f.value, -f.first};
+                                }});
+                           else
+                             for (const unsigned int n_cells : {16, 64})
+                               result.push_back(
+                                 {name,
+                                  [=](const Place &place) {
+                                    return finite_fibers(law, place, n_cells);
+                                  },
+                                  std::to_string(n_cells) + " elements"});
+                         }
+                     });
         return result;
       }
 
@@ -232,9 +233,8 @@ namespace Setae
              {std::pair{parallel_cylinders, .003},
               std::pair{perpendicular_cylinders, .0003}})
           {
-            const Curve curve = results.curve(cylinders,
-                                              coulomb().name,
-                                              monopole + ", 64 elements");
+            const Curve curve =
+              results.curve(cylinders, coulomb().name, monopole, "64 elements");
             comparison.add({cylinders + ": error of the monopole, g/R = 1e-3",
                             bound,
                             std::abs(nearest(curve, 1e-3).energy_error),

@@ -45,6 +45,7 @@ namespace Setae
     {
       Place       place;
       std::string method;
+      std::string resolution;
       Interaction value;
       double      energy_error; ///< relative; so below
       double      force_error;

@@ -107,8 +107,9 @@ namespace Setae
       {
         std::vector<Method> result;
         for (const unsigned int n : {16, 32})
-          result.push_back({"4D, " + std::to_string(n) + "^4 points",
-                            FullQuadrature(potential, n)});
+          result.push_back({"4D",
+                            FullQuadrature(potential, n),
+                            std::to_string(n) + "^4 points"});
         for_each_law(potential,
                      equal_sections(),
                      [&](const std::string &name, const auto &law) {

@@ -5,7 +5,6 @@
 #define setae_benchmarks_laws_laws_h
 
 #include <setae/laws/all.h>
-#include <setae/laws/law_accuracy.h>
 
 #include <algorithm>
 #include <string>
@@ -84,23 +83,14 @@ namespace Setae
                         }))
           return;
         if constexpr (std::is_same_v<Law, SectionQuadrature>)
-          for (const auto &[n_depth, n_lateral] :
-               {std::pair{2, 5}, std::pair{4, 9}, std::pair{12, 24}})
-            visit(std::string(Law::name) + ' ' + std::to_string(n_depth) +
-                    " x " + std::to_string(n_lateral),
-                  Law(potential,
-                      sections,
-                      {},
-                      {static_cast<unsigned int>(n_depth),
-                       static_cast<unsigned int>(n_lateral)}));
-        else if constexpr (std::is_constructible_v<Law,
-                                                   PointPotential,
-                                                   SectionPair,
-                                                   GapRange,
-                                                   LawAccuracy>)
-          visit(Law::name, Law(potential, sections, {}, {}));
+          for (const LawAccuracy &accuracy :
+               {LawAccuracy{2, 5}, LawAccuracy{4, 9}, LawAccuracy{12, 24}})
+            visit(std::string(Law::name) + ' ' +
+                    std::to_string(accuracy.n_depth) + " x " +
+                    std::to_string(accuracy.n_lateral),
+                  make_law<Law>(potential, sections, {}, accuracy));
         else
-          visit(Law::name, Law(potential, sections, {}));
+          visit(Law::name, make_law<Law>(potential, sections, {}));
       }
 
       template <typename... Laws, typename Visitor>

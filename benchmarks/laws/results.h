@@ -26,6 +26,8 @@ namespace Setae
     {
       std::string                               name;
       std::function<Interaction(const Place &)> evaluate;
+      std::string                               resolution =
+        ""; ///< points or tolerance, if there are several
     };
 
 
@@ -51,6 +53,7 @@ namespace Setae
             rows.push_back(
               {place,
                method.name,
+               method.resolution,
                value,
                (value.energy - exact.value.energy) / exact.scale.energy,
                (value.force - exact.value.force) / exact.scale.force,
@@ -67,21 +70,30 @@ namespace Setae
       {
         rows.push_back({place,
                         name,
+                        "",
                         exact.value,
                         exact.error.energy / std::abs(exact.scale.energy),
                         exact.error.force / std::abs(exact.scale.force),
                         exact.cpu_time});
       }
 
+      const Curve &
+      all() const
+      {
+        return rows;
+      }
+
       Curve
       curve(const std::string &configuration,
             const std::string &potential,
-            const std::string &method) const
+            const std::string &method,
+            const std::string &resolution = "") const
       {
         Curve result;
         for (const Row &row : rows)
           if (row.place.configuration == configuration &&
-              row.place.potential == potential && row.method == method)
+              row.place.potential == potential && row.method == method &&
+              row.resolution == resolution)
             result.push_back(row);
         return result;
       }
@@ -90,15 +102,17 @@ namespace Setae
       write_csv(const std::string &file_name) const
       {
         std::ofstream csv(file_name);
-        csv << "configuration,potential,method,gap/R,angle,offset/R,energy,"
-               "force,energy error,force error,CPU time [s]\n";
+        csv
+          << "configuration,potential,method,resolution,gap/R,angle,offset/R,energy,"
+             "force,energy error,force error,CPU time [s]\n";
         csv.precision(10);
         for (const Row &row : rows)
           csv << row.place.configuration << ',' << row.place.potential << ','
-              << row.method << ',' << row.place.gap << ',' << row.place.angle
-              << ',' << row.place.offset << ',' << row.value.energy << ','
-              << row.value.force << ',' << row.energy_error << ','
-              << row.force_error << ',' << row.cpu_time << '\n';
+              << row.method << ',' << row.resolution << ',' << row.place.gap
+              << ',' << row.place.angle << ',' << row.place.offset << ','
+              << row.value.energy << ',' << row.value.force << ','
+              << row.energy_error << ',' << row.force_error << ','
+              << row.cpu_time << '\n';
       }
 
       /**
@@ -113,48 +127,48 @@ namespace Setae
             const std::function<std::string(const Place &)> &column) const
       {
         std::set<std::pair<std::string, std::string>> done;
-        for (const auto &[configuration, potential, gap, angle, offset] :
-             places())
-          if (done.insert({configuration, potential}).second)
-            {
-              out << '\n' << configuration << ", " << potential << '\n';
-              print_table(out, configuration, potential, column);
-            }
+        for (const Row &row : rows)
+          {
+            const std::string &configuration = row.place.configuration,
+                              &potential     = row.place.potential;
+            if (!done.insert({configuration, potential}).second)
+              continue;
+            out << '\n' << configuration << ", " << potential << '\n';
+            print_table(out, configuration, potential, column);
+          }
         out << "\nErrors of energy / force, relative to the sum of the "
                "magnitudes of all powers;\npositive: too strong.\n"
             << std::endl;
       }
 
     private:
-      std::vector<Place>
-      places() const
-      {
-        std::vector<Place> result;
-        for (const Row &row : rows)
-          result.push_back(row.place);
-        return result;
-      }
-
       void
       print_table(std::ostream      &out,
                   const std::string &configuration,
                   const std::string &potential,
                   const std::function<std::string(const Place &)> &column) const
       {
-        std::vector<std::string> methods;
+        using Name = std::pair<std::string, std::string>;
+        std::vector<Name> methods;
         for (const Row &row : rows)
-          if (row.place.configuration == configuration &&
-              row.place.potential == potential &&
-              std::find(methods.begin(), methods.end(), row.method) ==
-                methods.end())
-            methods.push_back(row.method);
+          {
+            const Name name = {row.method, row.resolution};
+            if (row.place.configuration == configuration &&
+                row.place.potential == potential &&
+                std::find(methods.begin(), methods.end(), name) ==
+                  methods.end())
+              methods.push_back(name);
+          }
 
         dealii::TableHandler table;
-        for (const std::string &method : methods)
+        for (const auto &[method, resolution] : methods)
           {
             double smallest_time = Comparison::none;
-            table.add_value("method", method);
-            for (const Row &row : curve(configuration, potential, method))
+            table.add_value("method",
+                            resolution.empty() ? method :
+                                                 method + ", " + resolution);
+            for (const Row &row :
+                 curve(configuration, potential, method, resolution))
               {
                 if (row.cpu_time < smallest_time || std::isnan(smallest_time))
                   smallest_time = row.cpu_time;
@@ -171,7 +185,7 @@ namespace Setae
         table.write_text(out, dealii::TableHandler::org_mode_table);
       }
 
-      std::vector<Row> rows;
+      Curve rows;
     };
 
 
