@@ -6,6 +6,7 @@
 
 #include <deal.II/base/table_handler.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -96,6 +97,12 @@ namespace Setae
     void
     print(std::ostream &out) const
     {
+      const bool has_changes =
+        std::any_of(rows.begin(), rows.end(), [](const Row &row) {
+          return !std::isnan(row.with_cells) ||
+                 !std::isnan(row.with_gauss_points);
+        });
+
       dealii::TableHandler table;
       for (const Row &row : rows)
         {
@@ -103,9 +110,13 @@ namespace Setae
           table.add_value("published", text(row.published, 3));
           table.add_value("measured", text(row.measured, 5));
           table.add_value("deviation", percent(row.measured, target(row)));
-          table.add_value("2x cells", percent(row.with_cells, row.measured));
-          table.add_value("2x Gauss",
-                          percent(row.with_gauss_points, row.measured));
+          if (has_changes)
+            {
+              table.add_value("2x cells",
+                              percent(row.with_cells, row.measured));
+              table.add_value("2x Gauss",
+                              percent(row.with_gauss_points, row.measured));
+            }
           table.add_value("must be", text(row.requirement));
           table.add_value("verdict", verdict(row));
         }
