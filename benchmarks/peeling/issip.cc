@@ -2,10 +2,9 @@
 // Copyright (C) 2026 The Setae authors
 
 // The numbers of ISSIP Sec. 6 on the peeling of two fibers by section-section
-// interaction with offset, beside those of Setae: errors of quadrature and
-// cutoff, pull-off, the same curve by section-beam interaction, and the
-// variants of the kernel. Zero is returned if all that must be reached is
-// reached.
+// interaction with offset, beside those of Setae: errors of quadrature, cutoff
+// and mesh, variants, the curve by section-beam interaction. Zero is returned
+// if all that must be reached is reached.
 
 #include <deal.II/base/convergence_table.h>
 #include <deal.II/base/mpi.h>
@@ -181,12 +180,8 @@ namespace Setae
         costs.add_value("rejected iterations", summary.n_rejected_iterations);
         costs.add_value("interaction [s]",
                         curve.sections.at("interaction").cpu_time);
-        costs.add_value("per evaluation [s]",
-                        curve.sections.at("interaction").per_call());
         costs.add_value("smallest gap", summary.smallest_gap);
         costs.set_precision("interaction [s]", 1);
-        costs.set_precision("per evaluation [s]", 3);
-        costs.set_precision("smallest gap", 3);
         costs.set_scientific("smallest gap", true);
         std::cerr << name << ": last bonded at " << last_bonded(curve).opening
                   << " with " << last_bonded(curve).force << ", after "
@@ -290,7 +285,7 @@ namespace Setae
         return curve;
       }
 
-      /** The offset along the axis of the source, Sec. 5.3. */
+      /** The offset along the axis of the source: the bias of Sec. 5.5. */
       void
       add_axis(const Curve &averaged)
       {
@@ -299,7 +294,7 @@ namespace Setae
         comparison.add({"axis of the source: t at pull-off, relative",
                         1.,
                         source.pull_off() / averaged.pull_off(),
-                        Requirement::within(1., .002)});
+                        Requirement::within(1., .005)});
         comparison.add(
           {"axis of the source: error of the force at t = 0.57",
            Comparison::none,
