@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -200,12 +201,14 @@ namespace Setae
      * support called 'right'.
      *
      * @param prm The text of the scene.
+     * @param at_the_end Sees the problem after the last step.
      * @throws ExcRun where a load step has no solution, if that is an error.
      */
     inline Curve
     run(const std::string &prm,
         const Overrides   &overrides = {},
-        const Ending       ending    = Ending::is_an_error)
+        const Ending       ending    = Ending::is_an_error,
+        const std::function<void(const FiberProblem &)> &at_the_end = {})
     {
       const Scene        scene = Scene::read(prm, "peeling.prm", overrides);
       std::ostringstream log;
@@ -249,6 +252,8 @@ namespace Setae
           if (ending == Ending::is_an_error)
             throw;
         }
+      if (at_the_end)
+        at_the_end(problem);
       curve.sections = program_sections(problem.timer_output());
       return curve;
     }
