@@ -129,7 +129,8 @@ namespace Setae
           comparison.add(
             {"cutoff 2.5 R: error of the force, gap " + short_text(gap),
              4e-4,
-             cutoff_error(gap, cutoff)});
+             cutoff_error(gap, cutoff),
+             Requirement::at_most(7e-4)});
         comparison.add({"the same, gap 0.002 (published: larger)",
                         Comparison::none,
                         cutoff_error(2e-3, cutoff)});

@@ -21,7 +21,7 @@ plot for [gap in '0.0004 0.0008 0.001 0.0015 0.002'] rows('cutoff', gap) \
 set logscale x
 set xlabel 'points per length'
 set xtics (800, 1600, 3200, 6400, 12800)
-plot for [order=1:5] rows('points', order) using 3:4 with lines \
+plot for [order=1:5] rows('points', sprintf('%d', order)) using 3:4 with lines \
        title sprintf('order %d', order), \
      '+' using (3200.):(3.4e-5) every ::0::0 with points pointtype 7 \
        linecolor rgb 'black' title 'published'

@@ -199,7 +199,7 @@ namespace Setae
              {van_der_waals(), lennard_jones()})
           for (const double gap : gaps)
             {
-              const Place place = {"crossing cylinders, g/R = " +
+              const Place place = {"crossing cylinders at g/R = " +
                                      short_text(gap),
                                    potential.name,
                                    gap,
