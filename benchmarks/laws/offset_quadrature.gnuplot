@@ -19,6 +19,7 @@ plot for [gap in '0.0004 0.0008 0.001 0.0015 0.002'] rows('cutoff', gap) \
        using 3:4 with linespoints pointsize .6 title 'gap '.gap
 
 set logscale x
+set xrange [800:12800]
 set xlabel 'points per length'
 set xtics (800, 1600, 3200, 6400, 12800)
 plot for [order=1:5] rows('points', sprintf('%d', order)) using 3:4 with lines \
@@ -27,6 +28,8 @@ plot for [order=1:5] rows('points', sprintf('%d', order)) using 3:4 with lines \
        linecolor rgb 'black' title 'published'
 
 unset logscale x
+set xrange [*:*]
 set xtics auto
-set xlabel 'gap q_2'
-plot rows('gap', '1') using 3:4 with lines title 'midpoint rule, 3200 points per length'
+set xtics .05
+set xlabel '10^3 gap q_2'
+plot rows('gap', '1') using (1e3*$3):4 with lines title 'midpoint rule, 3200 points per length'

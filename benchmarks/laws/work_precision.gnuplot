@@ -22,6 +22,6 @@ do for [potential in "'van der Waals' 'Lennard-Jones'"] {
   do for [gap in '0.1 0.01'] {
     set title potential.', g/R = '.gap
     plot for [i=1:9] rows(gap + 0, potential, methods[i]) using 12:(abs($10)) \
-           with linespoints pointsize .8 pointtype i linecolor i title titles[i]
+           with linespoints pointsize .8 pointtype i linecolor (i == 9 ? 10 : i) title titles[i]
   }
 }
