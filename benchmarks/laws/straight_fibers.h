@@ -76,7 +76,10 @@ namespace Setae
         double x, weight;
       };
 
-      /** Many points: the error of quadrature is below 1e-6. */
+      /**
+       * Many points: with section-quadrature 12 x 24, the most exact law, what
+       * is left of the steric error at small gaps is below 5e-6.
+       */
       static PeakRule
       fine()
       {
