@@ -345,22 +345,6 @@ TEST(OffsetDisks, HaveTwoContinuousDerivativesWhereRegularized)
 
 
 
-TEST(OffsetDisks, AreFiniteForEveryGapWhenRegularized)
-{
-  const OffsetDisks law = lennard_jones({1e-3});
-  EXPECT_TRUE(law.admits(-.07));
-  EXPECT_FALSE(lennard_jones({}).admits(0.));
-  EXPECT_TRUE(lennard_jones({}).admits(1e-9));
-  for (const double offset : {0., 1e-9, 1., 1e3})
-    for (const double gap : {1e-3, 0., -.05, -.07})
-      {
-        const OffsetGapDerivatives p = law(offset, gap);
-        EXPECT_TRUE(std::isfinite(p.value + p.o + p.g + p.oo + p.og + p.gg));
-      }
-}
-
-
-
 // The cutoff is a distance of centers, less the radii.
 TEST(OffsetDisks, EndAtTheCutoff)
 {
