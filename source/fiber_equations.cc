@@ -112,6 +112,9 @@ namespace Setae
           for (const auto dof : fibers.cell_dofs[cell])
             if (dof != numbers::invalid_dof_index)
               dofs.push_back(dof);
+        // A cell coupled with itself, or two that share a node, name some twice.
+        std::sort(dofs.begin(), dofs.end());
+        dofs.erase(std::unique(dofs.begin(), dofs.end()), dofs.end());
         supports.at_rest().add_entries_local_to_global(dofs, pattern, false);
       }
     SparsityTools::distribute_sparsity_pattern(pattern,
