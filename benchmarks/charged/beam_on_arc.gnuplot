@@ -26,10 +26,11 @@ plot for [law in laws] sprintf("< grep '^%s,128,' beam_on_arc_curves.csv", law) 
      for [n in "30 50"] sprintf("< grep '^disk-disk,%s,' beam_on_arc_curves.csv", n) \
        using 3:5 with lines dashtype 2 title sprintf('disk-disk, %s segments', n)
 
-set key bottom left
+set xrange [8:80]
+set key top right
 set logscale xy
 set format y '10^{%T}'
 set xlabel 'segments of 5 points in each cell'
-set ylabel 'relative error of the energy at t = 2'
+set ylabel 'relative error of the energy at t = 1'
 plot for [law in laws] sprintf("< grep '^%s,' beam_on_arc_errors.csv", law) \
-       using 2:($2 < 128 ? $6 : NaN) with linespoints pointtype 7 title law
+       using 2:($2 < 128 ? $4 : NaN) with linespoints pointtype 7 title law
