@@ -101,9 +101,8 @@ main()
                {.1, 1., 5., 15., 30., 45., 60., 75., 85., 89., 90.})
             {
               const double a = angle * degree, radii = 1. + ratio;
-              const double energy = crossing_energy(m, 1., ratio, gaps[g], a);
-              const double force  = crossing_force(m, 1., ratio, gaps[g], a);
-              const auto   sbip =
+              const auto [energy, force] = crossing(m, 1., ratio, gaps[g], a);
+              const auto sbip =
                 [&](const double gap, const double c, const double) {
                   const GapAngleDerivatives f = laws.disk_cylinder(gap, c);
                   return GapAngleTiltDerivatives{f.value, f.g, f.c};
