@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 The Setae authors
 
-#include <deal.II/base/quadrature_lib.h>
-
 #include <setae/assembly/interaction_kernel.h>
 #include <setae/assembly/interaction_roles.h>
 #include <setae/base/exceptions.h>
@@ -18,17 +16,6 @@ namespace Setae
 
   namespace
   {
-    Quadrature<1>
-    integration_rule(const InteractionParameters &parameters)
-    {
-      if (parameters.integration_rule == "midpoint")
-        return QIterated<1>(QMidpoint<1>(), parameters.n_segments);
-      return QIterated<1>(QGauss<1>(parameters.n_gauss_points),
-                          parameters.n_segments);
-    }
-
-
-
     template <typename Law>
     class Interaction : public EnergyTerm
     {

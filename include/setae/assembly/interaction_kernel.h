@@ -4,6 +4,8 @@
 #ifndef setae_assembly_interaction_kernel_h
 #define setae_assembly_interaction_kernel_h
 
+#include <deal.II/base/quadrature_lib.h>
+
 #include <setae/assembly/interaction.h>
 #include <setae/interactions/offset_sections.h>
 #include <setae/interactions/section_beam.h>
@@ -120,6 +122,19 @@ namespace Setae
       return terms;
     }
   } // namespace internal
+
+
+
+  /** The points of a cell that interact. */
+  inline dealii::Quadrature<1>
+  integration_rule(const InteractionParameters &parameters)
+  {
+    if (parameters.integration_rule == "midpoint")
+      return dealii::QIterated<1>(dealii::QMidpoint<1>(),
+                                  parameters.n_segments);
+    return dealii::QIterated<1>(dealii::QGauss<1>(parameters.n_gauss_points),
+                                parameters.n_segments);
+  }
 
 
 
