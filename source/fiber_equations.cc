@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 The Setae authors
 
-#include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/sparsity_tools.h>
-#include <deal.II/lac/trilinos_solver.h>
 
 #include <setae/assembly/interaction.h>
 #include <setae/base/exceptions.h>
 #include <setae/fiber_equations.h>
+#include <setae/solvers/linear_solver.h>
 
 #include <algorithm>
 #include <cmath>
@@ -112,7 +111,8 @@ namespace Setae
           for (const auto dof : fibers.cell_dofs[cell])
             if (dof != numbers::invalid_dof_index)
               dofs.push_back(dof);
-        // A cell coupled with itself, or two that share a node, name some twice.
+        // A cell coupled with itself, or two that share a node, name some
+        // twice.
         std::sort(dofs.begin(), dofs.end());
         dofs.erase(std::unique(dofs.begin(), dofs.end()), dofs.end());
         supports.at_rest().add_entries_local_to_global(dofs, pattern, false);
@@ -160,6 +160,9 @@ namespace Setae
                                   Evaluation         &evaluation)
   {
     system.start(request, constraints);
+    has_product = std::any_of(terms.begin(), terms.end(), [](const auto &term) {
+      return term->has_tangent_product();
+    });
     bool is_complete = true;
     evaluation.energies.assign(terms.size(), 0.);
     for (unsigned int i = 0; i < terms.size(); ++i)
@@ -242,26 +245,47 @@ namespace Setae
   FiberEquations::solve(const Vector &right_hand_side, Vector &result)
   {
     TimerOutput::Scope section(timer, "solve");
-    bool               is_solved = true;
-    try
+    const LinearSolver solver(scene.newton.linear_solver);
+    if (has_product)
       {
-        SolverControl                  control;
-        TrilinosWrappers::SolverDirect solver(
-          control,
-          TrilinosWrappers::SolverDirect::AdditionalData(
-            false, scene.newton.linear_solver));
-        solver.solve(system.tangent_matrix, result, right_hand_side);
+        Vector reduced(right_hand_side);
+        if (!increment_at_rest)
+          {
+            Vector prescribed(fibers.owned_dofs, communicator),
+              product(prescribed);
+            increment_constraints.distribute(prescribed);
+            tangent_product(prescribed, product);
+            reduced -= product;
+          }
+        const auto of_free = [this](const Vector &x, Vector &product) {
+          Vector free(x);
+          supports.at_rest().set_zero(free);
+          tangent_product(free, product);
+        };
+        if (!solver.solve(system.tangent_matrix, of_free, reduced, result))
+          return false;
       }
-    catch (const std::exception &)
-      {
-        is_solved = false;
-      }
-    is_solved = is_solved && std::isfinite(result.l2_norm());
-    if (Utilities::MPI::min(is_solved ? 1 : 0, communicator) == 0)
+    else if (!solver.solve(system.tangent_matrix, right_hand_side, result))
       return false;
     (increment_at_rest ? supports.at_rest() : increment_constraints)
       .distribute(result);
     return true;
+  }
+
+
+
+  /** What the terms leave out of the tangent matrix, on the free unknowns. */
+  void
+  FiberEquations::tangent_product(const Vector &x, Vector &product)
+  {
+    everywhere            = x;
+    const State direction = fibers.state(everywhere, 0.);
+    product               = 0.;
+    for (const auto &term : terms)
+      if (term->has_tangent_product())
+        term->add_tangent_product(direction, product);
+    product.compress(VectorOperation::add);
+    supports.at_rest().set_zero(product);
   }
 
 

@@ -95,6 +95,7 @@ namespace Setae
     set_supports_to_zero(force);
 
     // The matrix is that of the mass alone.
+    has_product = false;
     system.start(Request::tangent, supports.at_rest());
     inertia->add(zero, 1., system);
     system.finish();

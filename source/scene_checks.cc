@@ -192,6 +192,27 @@ namespace Setae
     }
 
     void
+    check_far_field(const InteractionParameters &interaction)
+    {
+      const std::string path = "interactions/" + interaction.name + "/";
+      if (interaction.far_field_tolerance == 0.)
+        return;
+      require(interaction.law == Multipole<1>::name,
+              path + "far field tolerance",
+              interaction.far_field_tolerance,
+              "0 for the law '" + interaction.law +
+                "'; only 'monopole' has a far field");
+      require(interaction.cutoff == 0.,
+              path + "far field tolerance",
+              interaction.far_field_tolerance,
+              "0 with a cutoff");
+      require(interaction.far_field_tolerance >= 1e-10,
+              path + "far field tolerance",
+              interaction.far_field_tolerance,
+              "0, or from 1e-10 to 0.1");
+    }
+
+    void
     check_offset(const InteractionParameters &interaction,
                  const bool                   has_offset)
     {
@@ -285,6 +306,7 @@ namespace Setae
         check_reference(path + "source", interaction.source, fibers);
         check_reference(path + "target", interaction.target, fibers);
         check_interaction(interaction);
+        check_far_field(interaction);
       }
 
     dynamics.check(fibers);

@@ -275,8 +275,17 @@ namespace Setae
                       skin,
                       "How far beyond the cutoff partners are searched, so "
                       "that the search is repeated only when points have moved "
-                      "by half of it [length]; 0 takes half of the cutoff.",
+                      "by half of it [length]; 0 takes half of the cutoff, or "
+                      "with a far field a tenth of the shortest cell.",
                       non_negative());
+    prm.add_parameter("far field tolerance",
+                      far_field_tolerance,
+                      "For the law 'monopole' without a cutoff: cells that are "
+                      "far apart interact through the moments of clusters of "
+                      "cells, in a time that grows as n log n instead of n^2, "
+                      "with forces that err by this part of the sum of the "
+                      "magnitudes at most. 0 sums over all pairs of points.",
+                      Patterns::Double(0., .1));
     prm.add_parameter("integration rule",
                       integration_rule,
                       "The rule of every integration segment: 'gauss', or "

@@ -143,6 +143,9 @@ namespace Setae
                     Evaluation                              &evaluation);
 
     void
+    tangent_product(const Vector &x, Vector &product);
+
+    void
     judge(Evaluation &evaluation) const;
 
     const FiberSystem   &fibers;
@@ -153,6 +156,9 @@ namespace Setae
     Supports                 supports;
     std::unique_ptr<Inertia> inertia; ///< none in a static scene
     GlobalSystem             system;
+
+    /** Whether terms have left something out of the tangent matrix. */
+    bool has_product = false;
 
     dealii::IndexSet                  all_dofs;
     mutable Vector                    everywhere; ///< a solution, on all ranks

@@ -92,6 +92,7 @@ namespace Setae
     double                    switch_width        = .1;
     double                    regularization      = 0.;
     double                    skin                = 0.;
+    double                    far_field_tolerance = 0.;
     std::string               integration_rule    = "gauss";
     unsigned int              n_segments          = 2;
     unsigned int              n_gauss_points      = 10;

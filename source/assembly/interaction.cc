@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 The Setae authors
 
+#include <setae/assembly/far_field.h>
 #include <setae/assembly/interaction_kernel.h>
 #include <setae/assembly/interaction_roles.h>
 #include <setae/base/exceptions.h>
@@ -39,6 +40,9 @@ namespace Setae
         for (unsigned int cell = 0; cell < fibers.initial.size(); ++cell)
           if (roles.may_be_target(fibers.fiber_of_cell[cell]))
             targets.push_back(cell);
+        if (parameters.far_field_tolerance > 0.)
+          far_field =
+            std::make_unique<FarField>(fibers, parameters, roles, rule);
       }
 
       std::string
@@ -56,6 +60,13 @@ namespace Setae
       bool
       update_couplings(const State &state) override
       {
+        if (far_field)
+          {
+            if (!far_field->needs_rebuild(state))
+              return false;
+            far_field->build(state, sources);
+            return true;
+          }
         std::vector<NeighborList::ControlPoints> cells;
         cells.reserve(state.current.size());
         for (const HermiteCell<> &cell : state.current)
@@ -76,7 +87,7 @@ namespace Setae
                       &cell_pairs) const override
       {
         for (unsigned int i = 0; i < sources.size(); ++i)
-          for (const unsigned int target : neighbors.targets(i))
+          for (const unsigned int target : partners(i))
             cell_pairs.emplace_back(sources[i], target);
       }
 
@@ -102,7 +113,22 @@ namespace Setae
                 system.add(source, target, local);
               }
           });
+        if (far_field)
+          energy += far_field->assemble(state, strength, request, system);
         return energy;
+      }
+
+      bool
+      has_tangent_product() const override
+      {
+        return far_field != nullptr;
+      }
+
+      void
+      add_tangent_product(const State  &direction,
+                          GlobalVector &product) const override
+      {
+        far_field->add_tangent_product(direction, product);
       }
 
       bool
@@ -139,6 +165,7 @@ namespace Setae
       FiberPairResultants
       pair_resultants(const State &state) override
       {
+        Assert(!far_field, ExcNotImplemented("clusters mix fibers"));
         FiberPairResultants resultants;
         const double        strength = this->strength(state.time);
         for_each_pair(
@@ -218,6 +245,8 @@ namespace Setae
                               }
                           }
                       });
+        if (far_field)
+          add_far_site_forces(state, strength, sums);
         for (const auto &[cell, sites] : sums)
           forces.insert(forces.end(), sites.begin(), sites.end());
       }
@@ -227,6 +256,38 @@ namespace Setae
         Law::depends_on == Invariants::gap_offset;
 
       static constexpr bool is_contact = std::is_same_v<Law, PenaltyContact>;
+
+      /** The cells near the source of index @p i. */
+      ArrayView<const unsigned int>
+      partners(const unsigned int i) const
+      {
+        return far_field ? far_field->near_targets(i) : neighbors.targets(i);
+      }
+
+      void
+      add_far_site_forces(
+        const State                                    &state,
+        const double                                    strength,
+        std::map<unsigned int, std::vector<SiteForce>> &sums) const
+      {
+        std::vector<LineSite> sites;
+        for (const unsigned int cell : fibers.owned_cells)
+          if (far_field->knows(cell))
+            {
+              evaluate_sites(rule,
+                             fibers.initial[cell],
+                             state.current[cell],
+                             sites);
+              const auto far = far_field->site_forces(cell, sites, strength);
+              std::vector<SiteForce> &forces = sums[cell];
+              if (forces.empty())
+                for (const LineSite &site : sites)
+                  forces.push_back(
+                    {site.r, {}, std::numeric_limits<double>::infinity()});
+              for (unsigned int q = 0; q < sites.size(); ++q)
+                forces[q].force += far[q];
+            }
+      }
 
       /** @return The largest reach of all pairs of sections [length]. */
       double
@@ -297,7 +358,7 @@ namespace Setae
         std::vector<LineSite> sites;
         for (unsigned int i = 0; i < sources.size(); ++i)
           {
-            const auto partners = neighbors.targets(i);
+            const auto partners = this->partners(i);
             if (partners.size() == 0)
               continue;
             evaluate_sites(rule,
@@ -378,8 +439,9 @@ namespace Setae
       const Expression          strength;
       const double              reach; ///< largest of all kernels [length]
       NeighborList              neighbors;
-      std::vector<unsigned int> sources; ///< owned
-      std::vector<unsigned int> targets; ///< of all ranks
+      std::unique_ptr<FarField> far_field; ///< none if all pairs are summed
+      std::vector<unsigned int> sources;   ///< owned
+      std::vector<unsigned int> targets;   ///< of all ranks
       GapReport                 report;
 
       // Scratch, to save allocations.

@@ -24,11 +24,12 @@ namespace Setae
       FiberPairResultants pairs;
       double              cpu_time; ///< of one pair, on the average [s]
 
-      LawResultants(const FiberSystem           &fibers,
-                    const InteractionParameters &parameters,
-                    const State                 &state)
+      LawResultants(const FiberSystem    &fibers,
+                    InteractionParameters parameters,
+                    const State          &state)
       {
-        const auto interaction = make_interaction(fibers, parameters);
+        parameters.far_field_tolerance = 0.; // pairs of fibers are wanted
+        const auto interaction         = make_interaction(fibers, parameters);
         interaction->update_couplings(state);
 
         // As often as the clock needs to see it.

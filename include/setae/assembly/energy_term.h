@@ -14,6 +14,8 @@
 
 namespace Setae
 {
+  using GlobalVector = dealii::TrilinosWrappers::MPI::Vector;
+
   /**
    * One term of the total potential energy of a scene. A term that a scene does
    * not switch on does not exist.
@@ -64,6 +66,25 @@ namespace Setae
              const Request request,
              GlobalSystem &system) = 0;
 
+    /** Whether the tangent matrix needs add_tangent_product(). */
+    virtual bool
+    has_tangent_product() const
+    {
+      return false;
+    }
+
+    /**
+     * Add the product of @p direction with what assemble() has left out of the
+     * tangent matrix, in the state of its last call with a tangent matrix. To
+     * be compressed.
+     */
+    virtual void
+    add_tangent_product(const State &direction, GlobalVector &product) const
+    {
+      (void)direction;
+      (void)product;
+    }
+
     /** Whether assemble() returns the energy of all its forces. */
     virtual bool
     has_potential() const
@@ -95,7 +116,10 @@ namespace Setae
       return -std::numeric_limits<double>::infinity();
     }
 
-    /** What pairs of fibers do to each other, as far as this rank knows. */
+    /**
+     * What pairs of fibers do to each other, as far as this rank knows; not for
+     * interactions with a far field, where clusters of fibers act.
+     */
     virtual FiberPairResultants
     pair_resultants(const State &state)
     {

@@ -14,6 +14,18 @@
 
 namespace Setae
 {
+  /** How many points, or how much charge, a fiber has per length. */
+  inline double
+  points_per_length(const double       radius,
+                    const double       density,
+                    const Distribution distribution)
+  {
+    return density * M_PI * radius *
+           (distribution == Distribution::volume ? radius : 2.);
+  }
+
+
+
   /**
    * Two sections as far apart as the points on their centerlines, integrated
    * over both fibers. With q points per length of a fiber, @f$q=\rho\pi R^2@f$
@@ -66,15 +78,6 @@ namespace Setae
     {}
 
   private:
-    static double
-    points_per_length(const double       radius,
-                      const double       density,
-                      const Distribution distribution)
-    {
-      return density * M_PI * radius *
-             (distribution == Distribution::volume ? radius : 2.);
-    }
-
     static std::vector<InverseDistances::Term>
     terms(const PointPotential &potential, const SectionPair &sections)
     {

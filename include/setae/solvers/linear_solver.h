@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 The Setae authors
+
+#ifndef setae_solvers_linear_solver_h
+#define setae_solvers_linear_solver_h
+
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+#include <deal.II/lac/trilinos_vector.h>
+
+#include <functional>
+#include <string>
+
+namespace Setae
+{
+  /**
+   * Solves for a matrix A, or for A + B where only products with B are known:
+   * what couples distant fibers is a full matrix that nobody wants to store.
+   * The direct solver for A is then the preconditioner of GMRES, which takes a
+   * few iterations as B is small beside A, or smooth.
+   */
+  class LinearSolver
+  {
+  public:
+    using Vector = dealii::TrilinosWrappers::MPI::Vector;
+    using Matrix = dealii::TrilinosWrappers::SparseMatrix;
+
+    /** Writes B x into a vector. */
+    using Product = std::function<void(const Vector &x, Vector &result)>;
+
+    /** @param type a direct solver of Trilinos' Amesos */
+    explicit LinearSolver(std::string type)
+      : type(std::move(type))
+    {}
+
+    /** @return Whether A is regular, the same on all ranks. */
+    bool
+    solve(const Matrix &A, const Vector &right_hand_side, Vector &result) const;
+
+    /**
+     * Solve for A + B to round-off.
+     *
+     * @return Whether A is regular and GMRES converged, the same on all ranks.
+     */
+    bool
+    solve(const Matrix  &A,
+          const Product &B,
+          const Vector  &right_hand_side,
+          Vector        &result) const;
+
+  private:
+    const std::string type;
+  };
+} // namespace Setae
+
+#endif
