@@ -63,8 +63,11 @@ namespace Setae
   unsigned int
   FarField::order_for(const double tolerance)
   {
-    const double digits = -std::log10(tolerance);
-    return std::clamp(static_cast<int>(std::lround(3. + 1.2 * digits)), 4, 12);
+    // Measured: the time is nearly the same for orders around this one, and the
+    // matrix of near pairs is small.
+    return std::clamp(2 + static_cast<int>(std::ceil(-std::log10(tolerance))),
+                      3,
+                      12);
   }
 
 
