@@ -192,6 +192,29 @@ namespace Setae
     }
 
     void
+    check_grading(const InteractionParameters &interaction,
+                  const bool                   can_be_graded)
+    {
+      const std::string path =
+        "interactions/" + interaction.name + "/integration tolerance";
+      const double tolerance = interaction.integration_tolerance;
+      require(tolerance == 0. || can_be_graded,
+              path,
+              tolerance,
+              "0 for the law '" + interaction.law +
+                "', whose segments are equal");
+      require(tolerance == 0. || interaction.integration_rule == "gauss",
+              path,
+              tolerance,
+              "0 with the integration rule '" + interaction.integration_rule +
+                "'");
+      require(tolerance == 0. || tolerance >= 1e-14,
+              path,
+              tolerance,
+              "0, or from 1e-14 to 0.1");
+    }
+
+    void
     check_far_field(const InteractionParameters &interaction)
     {
       const std::string path = "interactions/" + interaction.name + "/";
@@ -254,6 +277,9 @@ namespace Setae
       Laws::dispatch(interaction.law, [&](auto tag) {
         using Law = typename decltype(tag)::type;
         check_offset(interaction, Law::depends_on == Invariants::gap_offset);
+        check_grading(interaction,
+                      Law::depends_on != Invariants::gap_offset &&
+                        !std::is_same_v<Law, PenaltyContact>);
         if constexpr (std::is_same_v<Law, PenaltyContact>)
           check_contact(interaction);
         else

@@ -303,6 +303,13 @@ namespace Setae
                       "Gauss points per integration segment; the midpoint rule "
                       "does not use them.",
                       positive_integer());
+    prm.add_parameter("integration tolerance",
+                      integration_tolerance,
+                      "Halve integration segments where fibers are near until "
+                      "the points on each are enough for about this relative "
+                      "error, and keep them long elsewhere. 0 leaves all "
+                      "segments equal.",
+                      Patterns::Double(0., .1));
     prm.add_parameter("frame",
                       frame,
                       "For a law of the offset, along what it is measured: the "

@@ -5,6 +5,7 @@
 #include <setae/assembly/interaction_kernel.h>
 #include <setae/assembly/interaction_roles.h>
 #include <setae/base/exceptions.h>
+#include <setae/interactions/graded_segments.h>
 #include <setae/laws/lennard_jones.h>
 #include <setae/search/neighbor_list.h>
 
@@ -27,6 +28,7 @@ namespace Setae
         , parameters(parameters)
         , roles(fibers, parameters)
         , rule(integration_rule(parameters))
+        , segment_rule(parameters.n_gauss_points)
         , strength("interactions/" + parameters.name + "/strength",
                    parameters.strength,
                    "t",
@@ -43,6 +45,12 @@ namespace Setae
         if (parameters.far_field_tolerance > 0.)
           far_field =
             std::make_unique<FarField>(fibers, parameters, roles, rule);
+        if (parameters.integration_tolerance > 0.)
+          grading =
+            std::make_unique<GradedSegments>(parameters.integration_tolerance,
+                                             parameters.n_gauss_points,
+                                             parameters.n_segments,
+                                             parameters.regularization);
       }
 
       std::string
@@ -99,20 +107,25 @@ namespace Setae
         report                = {};
         double       energy   = 0.;
         const double strength = this->strength(state.time);
-        for_each_pair(
-          state,
-          [&](const unsigned int           source,
-              const unsigned int           target,
-              const std::vector<LineSite> &source_sites) {
-            if (add_pair(
-                  state, source, target, source_sites, strength, request))
-              {
-                if (has_potential())
-                  local.symmetrize();
-                energy += local.energy;
-                system.add(source, target, local);
-              }
-          });
+        for_each_pair(state,
+                      [&](const unsigned int           source,
+                          const unsigned int           target,
+                          const std::vector<LineSite> &source_sites,
+                          const Segment               &of_target) {
+                        if (add_pair(state,
+                                     source,
+                                     target,
+                                     source_sites,
+                                     of_target,
+                                     strength,
+                                     request))
+                          {
+                            if (has_potential())
+                              local.symmetrize();
+                            energy += local.energy;
+                            system.add(source, target, local);
+                          }
+                      });
         if (far_field)
           energy += far_field->assemble(state, strength, request, system);
         return energy;
@@ -172,13 +185,15 @@ namespace Setae
           state,
           [&](const unsigned int           source,
               const unsigned int           target,
-              const std::vector<LineSite> &source_sites) {
+              const std::vector<LineSite> &source_sites,
+              const Segment               &of_target) {
             const unsigned int s = fibers.fiber_of_cell[source],
                                t = fibers.fiber_of_cell[target];
             if (s == t || !add_pair(state,
                                     source,
                                     target,
                                     source_sites,
+                                    of_target,
                                     strength,
                                     Request::residual))
               return;
@@ -202,49 +217,43 @@ namespace Setae
         std::map<unsigned int, std::vector<SiteForce>> sums;
         const double strength = this->strength(state.time);
 
-        for_each_pair(state,
-                      [&](const unsigned int           source,
-                          const unsigned int           target,
-                          const std::vector<LineSite> &source_sites) {
-                        const HermiteCell<> &cell = state.current[target];
-                        const Kernel<Law>   &kernel =
-                          this->kernel(source, target);
-                        const double factor =
-                          strength * roles.factor(source, target);
-                        if constexpr (is_projected<Law>)
-                          for (const LineSite &site : source_sites)
-                            kernel.forces(site,
-                                          cell,
-                                          fibers.ends_of_cell(target),
-                                          factor,
-                                          forces);
-                        else
-                          {
-                            evaluate_sites(rule,
-                                           fibers.initial[target],
-                                           cell,
-                                           target_sites);
-                            std::vector<SiteForce> &on_source = sums[source],
-                                                   &on_target = sums[target];
-                            if constexpr (has_offset)
-                              kernel.add_forces(source_sites,
-                                                target_sites,
-                                                factor,
-                                                on_source,
-                                                on_target);
-                            else
-                              {
-                                kernel.add_forces(source_sites,
-                                                  target_sites,
-                                                  factor,
-                                                  on_source);
-                                kernel.add_forces(target_sites,
-                                                  source_sites,
-                                                  factor,
-                                                  on_target);
-                              }
-                          }
-                      });
+        for_each_pair_with_equal_segments(
+          state,
+          [&](const unsigned int           source,
+              const unsigned int           target,
+              const std::vector<LineSite> &source_sites,
+              const Segment &) {
+            const HermiteCell<> &cell   = state.current[target];
+            const Kernel<Law>   &kernel = this->kernel(source, target);
+            const double factor = strength * roles.factor(source, target);
+            if constexpr (is_projected<Law>)
+              for (const LineSite &site : source_sites)
+                kernel.forces(
+                  site, cell, fibers.ends_of_cell(target), factor, forces);
+            else
+              {
+                evaluate_sites(rule,
+                               fibers.initial[target],
+                               cell,
+                               target_sites);
+                std::vector<SiteForce> &on_source = sums[source],
+                                       &on_target = sums[target];
+                if constexpr (has_offset)
+                  kernel.add_forces(
+                    source_sites, target_sites, factor, on_source, on_target);
+                else
+                  {
+                    kernel.add_forces(source_sites,
+                                      target_sites,
+                                      factor,
+                                      on_source);
+                    kernel.add_forces(target_sites,
+                                      source_sites,
+                                      factor,
+                                      on_target);
+                  }
+              }
+          });
         if (far_field)
           add_far_site_forces(state, strength, sums);
         for (const auto &[cell, sites] : sums)
@@ -252,6 +261,10 @@ namespace Setae
       }
 
     private:
+      using Segment = GradedSegments::Segment;
+
+      static constexpr Segment whole = {0., 1.};
+
       static constexpr bool has_offset =
         Law::depends_on == Invariants::gap_offset;
 
@@ -351,9 +364,23 @@ namespace Setae
                                         std::numeric_limits<double>::infinity();
       }
 
+      /** Call @p function with source, its sites, target and a part of that. */
       template <typename Function>
       void
       for_each_pair(const State &state, const Function &function) const
+      {
+        if (!grading)
+          for_each_pair_with_equal_segments(state, function);
+        else if constexpr (is_projected<Law>)
+          for_each_pair_with_graded_source(state, function);
+        else
+          for_each_pair_of_graded_segments(state, function);
+      }
+
+      template <typename Function>
+      void
+      for_each_pair_with_equal_segments(const State    &state,
+                                        const Function &function) const
       {
         std::vector<LineSite> sites;
         for (unsigned int i = 0; i < sources.size(); ++i)
@@ -366,8 +393,81 @@ namespace Setae
                            state.current[sources[i]],
                            sites);
             for (const unsigned int target : partners)
-              function(sources[i], target, sites);
+              function(sources[i], target, sites, whole);
           }
+      }
+
+      /** All targets see the same sites: these pass from one to the next. */
+      template <typename Function>
+      void
+      for_each_pair_with_graded_source(const State    &state,
+                                       const Function &function) const
+      {
+        std::vector<GradedSegments::Neighbor> targets;
+        std::vector<Segment>                  segments;
+        std::vector<LineSite>                 sites;
+        for (unsigned int i = 0; i < sources.size(); ++i)
+          {
+            const unsigned int source = sources[i];
+            targets.clear();
+            for (const unsigned int target : partners(i))
+              targets.push_back(neighbor(state, source, target));
+            if (targets.empty())
+              continue;
+            grading->divide(state.current[source].control_points(),
+                            targets,
+                            segments);
+            sites.clear();
+            for (const auto &[begin, end] : segments)
+              append_sites(segment_rule,
+                           begin,
+                           end,
+                           fibers.initial[source],
+                           state.current[source],
+                           sites);
+            for (const unsigned int target : partners(i))
+              function(source, target, sites, whole);
+          }
+      }
+
+      template <typename Function>
+      void
+      for_each_pair_of_graded_segments(const State    &state,
+                                       const Function &function) const
+      {
+        std::vector<std::pair<Segment, Segment>> pairs;
+        std::vector<LineSite>                    sites;
+        for (unsigned int i = 0; i < sources.size(); ++i)
+          for (const unsigned int target : partners(i))
+            {
+              const unsigned int source = sources[i];
+              grading->divide_both(state.current[source].control_points(),
+                                   neighbor(state, source, target),
+                                   pairs);
+              for (const auto &[of_source, of_target] : pairs)
+                {
+                  sites.clear();
+                  append_sites(segment_rule,
+                               of_source.begin,
+                               of_source.end,
+                               fibers.initial[source],
+                               state.current[source],
+                               sites);
+                  function(source, target, sites, of_target);
+                }
+            }
+      }
+
+      GradedSegments::Neighbor
+      neighbor(const State       &state,
+               const unsigned int source,
+               const unsigned int target) const
+      {
+        const double radii = fibers.parameters_of_cell(source).radius +
+                             fibers.parameters_of_cell(target).radius;
+        return {state.current[target].control_points(),
+                Law::is_long_range ? 0. : radii,
+                kernel(source, target).reach()};
       }
 
       /** @return Whether any site of the source is within reach. */
@@ -376,6 +476,7 @@ namespace Setae
                const unsigned int           source,
                const unsigned int           target,
                const std::vector<LineSite> &source_sites,
+               const Segment               &of_target,
                const double                 strength,
                const Request                request)
       {
@@ -396,10 +497,15 @@ namespace Setae
                 is_near = true;
                 local.reset(request);
                 if constexpr (!is_projected<Law>)
-                  evaluate_sites(rule,
+                  {
+                    target_sites.clear();
+                    append_sites(grading ? segment_rule : rule,
+                                 of_target.begin,
+                                 of_target.end,
                                  fibers.initial[target],
                                  cell,
                                  target_sites);
+                  }
                 if constexpr (has_offset)
                   {
                     spacing = kernel.largest_spacing(target_sites);
@@ -430,18 +536,20 @@ namespace Setae
       const FiberSystem           &fibers;
       const InteractionParameters &parameters;
       const InteractionRoles       roles;
-      const Quadrature<1>          rule;
+      const Quadrature<1>          rule;         ///< of a cell
+      const QGauss<1>              segment_rule; ///< of a graded segment
 
       /** One for each pair of sections of the scene. */
       std::map<std::pair<unsigned int, unsigned int>, Kernel<Law>> kernels;
 
       double smallest_radius = std::numeric_limits<double>::infinity();
-      const Expression          strength;
-      const double              reach; ///< largest of all kernels [length]
-      NeighborList              neighbors;
-      std::unique_ptr<FarField> far_field; ///< none if all pairs are summed
-      std::vector<unsigned int> sources;   ///< owned
-      std::vector<unsigned int> targets;   ///< of all ranks
+      const Expression strength;
+      const double     reach; ///< largest of all kernels [length]
+      NeighborList     neighbors;
+      std::unique_ptr<GradedSegments> grading; ///< none if segments are equal
+      std::unique_ptr<FarField> far_field;     ///< none if all pairs are summed
+      std::vector<unsigned int> sources;       ///< owned
+      std::vector<unsigned int> targets;       ///< of all ranks
       GapReport                 report;
 
       // Scratch, to save allocations.

@@ -7,6 +7,7 @@
 
 #include <boost/iterator/function_output_iterator.hpp>
 
+#include <setae/search/hull_distance.h>
 #include <setae/search/neighbor_list.h>
 
 #include <algorithm>
@@ -28,67 +29,6 @@ namespace Setae
             return false;
       return true;
     }
-
-
-
-    /**
-     * The place in [0,1] where a quadratic function is smallest that descends
-     * with slope @p descent at zero and has the given curvature.
-     */
-    double
-    minimizer(const double descent, const double curvature)
-    {
-      return curvature > 0. ? std::clamp(descent / curvature, 0., 1.) : 0.;
-    }
-
-
-
-    /**
-     * The vector [length] from the chord of the first to the chord of the
-     * second cell where these are closest (Ericson, Real-Time Collision
-     * Detection, 2005, section 5.1.9).
-     */
-    Tensor<1, 3>
-    connecting_vector(const ControlPoints &first, const ControlPoints &second)
-    {
-      const Tensor<1, 3> u = first[3] - first[0];
-      const Tensor<1, 3> v = second[3] - second[0];
-      const Tensor<1, 3> r = second[0] - first[0];
-
-      const double uu = u * u, uv = u * v, vv = v * v;
-      const double ur = u * r, vr = v * r;
-
-      // The first value is best if the second chord were a whole line. Then
-      // each in turn is best for the other; after two steps both are.
-      double       s = minimizer(ur * vv - vr * uv, uu * vv - uv * uv);
-      const double t = minimizer(uv * s - vr, vv);
-      s              = minimizer(uv * t + ur, uu);
-
-      return r + t * v - s * u;
-    }
-
-
-
-    /**
-     * True only if the convex hulls of the control points are more than
-     * @p distance apart.
-     */
-    bool
-    are_separated(const ControlPoints &first,
-                  const ControlPoints &second,
-                  const double         distance)
-    {
-      const Tensor<1, 3> w = connecting_vector(first, second);
-
-      double end_of_first    = std::numeric_limits<double>::lowest();
-      double begin_of_second = std::numeric_limits<double>::max();
-      for (unsigned int k = 0; k < 4; ++k)
-        {
-          end_of_first    = std::max(end_of_first, w * first[k]);
-          begin_of_second = std::min(begin_of_second, w * second[k]);
-        }
-      return begin_of_second - end_of_first > distance * w.norm();
-    }
   } // namespace
 
 
@@ -97,8 +37,7 @@ namespace Setae
     : reach(reach)
     , skin(skin)
   {
-    AssertThrow(reach >= 0. && skin > 0.,
-                ExcInvalidRange(reach, skin));
+    AssertThrow(reach >= 0. && skin > 0., ExcInvalidRange(reach, skin));
   }
 
 
@@ -158,7 +97,7 @@ namespace Setae
         const auto examine = [&](const std::size_t i) {
           if (distance_square(box, boxes[i]) <= distance * distance &&
               admissible(source, targets[i]) &&
-              !are_separated(cells[source], cells[targets[i]], distance))
+              hull_distance(cells[source], cells[targets[i]]) <= distance)
             candidates.push_back(targets[i]);
         };
         tree.query(bgi::intersects(enlarged),

@@ -35,8 +35,36 @@ namespace Setae
 
 
   /**
-   * The sites of @p rule on a cell, given by its initial and its @p current
-   * curve. Writes into @p sites to save allocations.
+   * Append the sites of @p rule on the part from @p begin to @p end, in the
+   * reference coordinate, of a cell, given by its initial and its @p current
+   * curve.
+   */
+  inline void
+  append_sites(const dealii::Quadrature<1> &rule,
+               const double                 begin,
+               const double                 end,
+               const HermiteCell<>         &initial,
+               const HermiteCell<>         &current,
+               std::vector<LineSite>       &sites)
+  {
+    for (unsigned int q = 0; q < rule.size(); ++q)
+      {
+        LineSite &s = sites.emplace_back();
+        s.x         = begin + (end - begin) * rule.point(q)[0];
+        s.N         = Hermite::shape_values(s.x, current.h);
+        s.N_x       = Hermite::shape_derivatives(s.x, current.h);
+        s.r         = current.combine(s.N);
+        s.r_x       = current.combine(s.N_x);
+        s.weight =
+          (end - begin) * rule.weight(q) * initial.combine(s.N_x).norm();
+      }
+  }
+
+
+
+  /**
+   * The sites of @p rule on a whole cell. Writes into @p sites to save
+   * allocations.
    */
   inline void
   evaluate_sites(const dealii::Quadrature<1> &rule,
@@ -44,17 +72,8 @@ namespace Setae
                  const HermiteCell<>         &current,
                  std::vector<LineSite>       &sites)
   {
-    sites.resize(rule.size());
-    for (unsigned int q = 0; q < rule.size(); ++q)
-      {
-        LineSite &s = sites[q];
-        s.x         = rule.point(q)[0];
-        s.N         = Hermite::shape_values(s.x, current.h);
-        s.N_x       = Hermite::shape_derivatives(s.x, current.h);
-        s.r         = current.combine(s.N);
-        s.r_x       = current.combine(s.N_x);
-        s.weight    = rule.weight(q) * initial.combine(s.N_x).norm();
-      }
+    sites.clear();
+    append_sites(rule, 0., 1., initial, current, sites);
   }
 
 

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 The Setae authors
+
+#include <setae/interactions/graded_segments.h>
+#include <setae/search/hull_distance.h>
+
+#include <cmath>
+
+namespace Setae
+{
+  namespace
+  {
+    /** Halving ends here, wherever two centerlines meet. */
+    constexpr double shortest = 1. / 4096;
+
+    /** The polar form of a cubic with the given control points. */
+    Tensor<1, 3>
+    polar_form(const GradedSegments::ControlPoints &P,
+               const double                         x,
+               const double                         y,
+               const double                         z)
+    {
+      Tensor<1, 3> b[3];
+      for (unsigned int k = 0; k < 3; ++k)
+        b[k] = (1. - x) * P[k] + x * P[k + 1];
+      for (unsigned int k = 0; k < 2; ++k)
+        b[k] = (1. - y) * b[k] + y * b[k + 1];
+      return (1. - z) * b[0] + z * b[1];
+    }
+  } // namespace
+
+
+
+  GradedSegments::GradedSegments(const double       tolerance,
+                                 const unsigned int n_points,
+                                 const unsigned int n_parts,
+                                 const double       smallest_gap)
+    : length_factor(2. / std::sinh(-std::log(tolerance) / (2. * n_points)))
+    , n_parts(n_parts)
+    , smallest_gap(smallest_gap)
+  {}
+
+
+
+  GradedSegments::Part::Part(const ControlPoints &cell, const Segment &segment)
+    : segment(segment)
+    , length(0.)
+  {
+    const auto [a, b] = segment;
+    points            = {{polar_form(cell, a, a, a),
+                          polar_form(cell, a, a, b),
+                          polar_form(cell, a, b, b),
+                          polar_form(cell, b, b, b)}};
+    for (unsigned int k = 0; k < 3; ++k)
+      length += (points[k + 1] - points[k]).norm();
+  }
+
+
+
+  bool
+  GradedSegments::Part::may_be_halved() const
+  {
+    return segment.end - segment.begin > shortest;
+  }
+
+
+
+  std::array<GradedSegments::Part, 2>
+  GradedSegments::halves(const ControlPoints &cell, const Part &part)
+  {
+    const auto [begin, end] = part.segment;
+    const double middle     = .5 * (begin + end);
+    return {{Part(cell, {begin, middle}), Part(cell, {middle, end})}};
+  }
+
+
+
+  double
+  GradedSegments::largest_length(const double distance, const double core) const
+  {
+    const double gap = std::max(smallest_gap, distance - core);
+    return length_factor * std::sqrt(gap * (gap + 2. * core));
+  }
+
+
+
+  void
+  GradedSegments::divide(const ControlPoints         &cell,
+                         const std::vector<Neighbor> &neighbors,
+                         std::vector<Segment>        &segments) const
+  {
+    segments.clear();
+    for (unsigned int i = 0; i < n_parts; ++i)
+      divide(cell,
+             neighbors,
+             Part(cell, {double(i) / n_parts, (i + 1.) / n_parts}),
+             segments);
+  }
+
+
+
+  void
+  GradedSegments::divide(const ControlPoints         &cell,
+                         const std::vector<Neighbor> &neighbors,
+                         const Part                  &part,
+                         std::vector<Segment>        &segments) const
+  {
+    bool is_good = true;
+    if (part.may_be_halved())
+      for (const Neighbor &neighbor : neighbors)
+        is_good = is_good &&
+                  !is_too_long(part, neighbor, Part(neighbor.points, {0., 1.}));
+    if (is_good)
+      segments.push_back(part.segment);
+    else
+      for (const Part &half : halves(cell, part))
+        divide(cell, neighbors, half, segments);
+  }
+
+
+
+  /** The distance from a long neighbor is that from one of its parts. */
+  bool
+  GradedSegments::is_too_long(const Part     &part,
+                              const Neighbor &neighbor,
+                              const Part     &of_neighbor) const
+  {
+    const double distance = hull_distance(part.points, of_neighbor.points);
+    if (distance >= neighbor.reach ||
+        part.length <= largest_length(distance, neighbor.core))
+      return false;
+    if (of_neighbor.length <= part.length || !of_neighbor.may_be_halved())
+      return true;
+    for (const Part &half : halves(neighbor.points, of_neighbor))
+      if (is_too_long(part, neighbor, half))
+        return true;
+    return false;
+  }
+
+
+
+  void
+  GradedSegments::divide_both(
+    const ControlPoints                      &cell,
+    const Neighbor                           &neighbor,
+    std::vector<std::pair<Segment, Segment>> &pairs) const
+  {
+    pairs.clear();
+    const auto part = [this](const ControlPoints &points, unsigned int i) {
+      return Part(points, {double(i) / n_parts, (i + 1.) / n_parts});
+    };
+    for (unsigned int i = 0; i < n_parts; ++i)
+      for (unsigned int j = 0; j < n_parts; ++j)
+        divide_both(
+          cell, neighbor, part(cell, i), part(neighbor.points, j), pairs);
+  }
+
+
+
+  void
+  GradedSegments::divide_both(
+    const ControlPoints                      &cell,
+    const Neighbor                           &neighbor,
+    const Part                               &part,
+    const Part                               &of_neighbor,
+    std::vector<std::pair<Segment, Segment>> &pairs) const
+  {
+    const double distance = hull_distance(part.points, of_neighbor.points);
+    if (distance >= neighbor.reach)
+      return;
+    const double limit       = largest_length(distance, neighbor.core);
+    const bool   halve_first = part.length >= of_neighbor.length;
+    if (std::max(part.length, of_neighbor.length) <= limit ||
+        !(halve_first ? part : of_neighbor).may_be_halved())
+      pairs.emplace_back(part.segment, of_neighbor.segment);
+    else if (halve_first)
+      for (const Part &half : halves(cell, part))
+        divide_both(cell, neighbor, half, of_neighbor, pairs);
+    else
+      for (const Part &half : halves(neighbor.points, of_neighbor))
+        divide_both(cell, neighbor, part, half, pairs);
+  }
+} // namespace Setae
