@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <sstream>
 
 #include "../comparison.h"
 #include "scene_run.h"
@@ -48,15 +49,36 @@ namespace Setae
       }
     };
 
+    /** Equal segments of 5 points, or graded ones of 8 points. */
+    struct Points
+    {
+      unsigned int n_segments;
+      double       tolerance; ///< or zero for equal ones
+
+      std::string
+      name() const
+      {
+        std::ostringstream text;
+        if (tolerance > 0.)
+          text << "graded " << tolerance;
+        else
+          text << n_segments << " x 5";
+        return text.str();
+      }
+    };
+
     Curve
-    run(const std::string &prm, const std::string &law, const unsigned int n)
+    run(const std::string &prm, const std::string &law, const Points &points)
     {
       const SceneRun run(prm,
                          "beam_on_arc.prm",
                          {"interactions/steric/law=" + law,
                           "interactions/steric/integration segments=" +
-                            std::to_string(n),
-                          "interactions/steric/gauss points=5"});
+                            std::to_string(points.n_segments),
+                          "interactions/steric/integration tolerance=" +
+                            std::to_string(points.tolerance),
+                          std::string("interactions/steric/gauss points=") +
+                            (points.tolerance > 0. ? "8" : "5")});
       Curve          curve;
       curve.imbalance = 0.;
       for (const StepRecord &record : run.records)
@@ -97,7 +119,6 @@ namespace Setae
              {"disk-cylinder", "tabulated-disk-cylinder", "disk-disk"})
           add_law(law);
 
-        Comparison comparison;
         comparison.add({"smallest gap",
                         Comparison::none,
                         smallest_gap,
@@ -109,7 +130,8 @@ namespace Setae
           << "A fiber turns on a rigid arc, after SSIP Sec. 7.2: crossing "
              "at t = 1, parallel at t = 2.\nErrors relative to the same "
              "law with "
-          << n_reference << " segments of 5 points.\n\n";
+          << n_reference
+          << " segments of 5 points. Graded segments have 8 points.\n\n";
         table.write_text(std::cout, TableHandler::org_mode_table);
         std::cout << "\nThe worst of all runs:\n\n";
         comparison.print(std::cout);
@@ -125,24 +147,65 @@ namespace Setae
       void
       add_law(const std::string &law)
       {
-        const Curve reference = BeamOnArc::run(prm, law, n_reference);
+        const Curve reference = BeamOnArc::run(prm, law, {n_reference, 0.});
+        std::vector<Sample> equal;
         for (const unsigned int n : {10, 20, 30, 50, 64})
-          add(law, n, BeamOnArc::run(prm, law, n), reference);
-        add(law, n_reference, reference, reference);
+          equal.push_back(add(law, {n, 0.}, reference));
+        equal.push_back({0., reference.cpu_time});
+        for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6})
+          {
+            const Sample graded = add(law, {1, tolerance}, reference);
+            for (const Sample &sample : equal)
+              if (sample.error <= graded.error)
+                {
+                  comparison.add({law + ", " + Points{1, tolerance}.name() +
+                                    ": CPU time of equal segments as good "
+                                    "over graded",
+                                  Comparison::none,
+                                  sample.cpu_time / graded.cpu_time});
+                  break;
+                }
+            comparison.add({law + ", " + Points{1, tolerance}.name() +
+                              ": error of the energy over tolerance",
+                            Comparison::none,
+                            graded.error / tolerance,
+                            Requirement::at_most(10.)});
+          }
+        record(law, {n_reference, 0.}, reference, reference);
+      }
+
+      /** Error of the energy, the larger one of both times, and cost. */
+      struct Sample
+      {
+        double error, cpu_time;
+      };
+
+      Sample
+      add(const std::string &law, const Points &points, const Curve &reference)
+      {
+        const Curve curve = BeamOnArc::run(prm, law, points);
+        record(law, points, curve, reference);
+        double error = 0.;
+        for (const double time : {1., 2.})
+          error =
+            std::max(error,
+                     std::abs(
+                       curve.at(time).energy / reference.at(time).energy - 1.));
+        return {error, curve.cpu_time};
       }
 
       void
-      add(const std::string &law,
-          const unsigned int n,
-          const Curve       &curve,
-          const Curve       &reference)
+      record(const std::string &law,
+             const Points      &points,
+             const Curve       &curve,
+             const Curve       &reference)
       {
         smallest_gap = std::min(smallest_gap, curve.smallest_gap);
         imbalance    = std::max(imbalance, curve.imbalance);
 
         table.add_value("law", law);
-        table.add_value("segments x 5", n);
-        errors << law << ',' << n;
+        table.add_value("segments", points.name());
+        errors << law << ',' << points.name();
         for (const double time : {1., 2.})
           {
             const Point value = curve.at(time), exact = reference.at(time);
@@ -157,7 +220,7 @@ namespace Setae
         errors << ',' << curve.cpu_time << '\n';
 
         for (unsigned int i = 0; i < curve.times.size(); ++i)
-          curves << law << ',' << n << ',' << curve.times[i] << ','
+          curves << law << ',' << points.name() << ',' << curve.times[i] << ','
                  << curve.points[i].force << ',' << curve.points[i].energy
                  << '\n';
       }
@@ -178,6 +241,7 @@ namespace Setae
       const std::string prm;
       std::ofstream     curves, errors;
       TableHandler      table;
+      Comparison        comparison;
       double            smallest_gap = std::numeric_limits<double>::infinity();
       double            imbalance    = 0.;
     };

@@ -14,23 +14,29 @@ laws = "disk-cylinder tabulated-disk-cylinder disk-disk"
 set xlabel 'time'
 set key bottom center
 set ylabel 'vertical reaction'
-plot for [law in laws] sprintf("< grep '^%s,128,' beam_on_arc_curves.csv", law) \
+plot for [law in laws] sprintf("< grep '^%s,128 x 5,' beam_on_arc_curves.csv", law) \
        using 3:4 with lines linewidth 2 title law, \
-     for [n in "30 50"] sprintf("< grep '^disk-disk,%s,' beam_on_arc_curves.csv", n) \
+     for [n in "30 50"] sprintf("< grep '^disk-disk,%s x 5,' beam_on_arc_curves.csv", n) \
        using 3:4 with lines dashtype 2 title sprintf('disk-disk, %s segments', n)
 
 set ylabel 'interaction energy'
 set format y '%.0e'
-plot for [law in laws] sprintf("< grep '^%s,128,' beam_on_arc_curves.csv", law) \
+plot for [law in laws] sprintf("< grep '^%s,128 x 5,' beam_on_arc_curves.csv", law) \
        using 3:5 with lines linewidth 2 title law, \
-     for [n in "30 50"] sprintf("< grep '^disk-disk,%s,' beam_on_arc_curves.csv", n) \
+     for [n in "30 50"] sprintf("< grep '^disk-disk,%s x 5,' beam_on_arc_curves.csv", n) \
        using 3:5 with lines dashtype 2 title sprintf('disk-disk, %s segments', n)
 
-set xrange [8:80]
-set key top right
+set key bottom left
 set logscale xy
+set format x '10^{%T}'
 set format y '10^{%T}'
-set xlabel 'segments of 5 points in each cell'
+set xlabel 'CPU time [s]'
 set ylabel 'relative error of the energy at t = 1'
-plot for [law in laws] sprintf("< grep '^%s,' beam_on_arc_errors.csv", law) \
-       using 2:($2 < 128 ? $4 : NaN) with linespoints pointtype 7 title law
+plot for [i=1:words(laws)] \
+       sprintf("< grep '^%s,.* x 5,' beam_on_arc_errors.csv | grep -v ',128 x'", \
+               word(laws, i)) \
+       using 7:4 with linespoints pointtype 6 linecolor i \
+       title word(laws, i).', equal segments', \
+     for [i=1:words(laws)] \
+       sprintf("< grep '^%s,graded' beam_on_arc_errors.csv", word(laws, i)) \
+       using 7:4 with linespoints pointtype 7 linecolor i title 'graded'

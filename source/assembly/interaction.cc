@@ -3,10 +3,9 @@
 
 #include <setae/assembly/far_field.h>
 #include <setae/assembly/interaction_kernel.h>
+#include <setae/assembly/interaction_points.h>
 #include <setae/assembly/interaction_roles.h>
 #include <setae/base/exceptions.h>
-#include <setae/interactions/graded_segments.h>
-#include <setae/laws/lennard_jones.h>
 #include <setae/search/neighbor_list.h>
 
 #include <map>
@@ -28,12 +27,17 @@ namespace Setae
         , parameters(parameters)
         , roles(fibers, parameters)
         , rule(integration_rule(parameters))
-        , segment_rule(parameters.n_gauss_points)
         , strength("interactions/" + parameters.name + "/strength",
                    parameters.strength,
                    "t",
                    fibers.scene.constants)
         , reach(make_kernels())
+        , points(fibers,
+                 parameters,
+                 rule,
+                 is_projected<Law>,
+                 Law::is_long_range,
+                 reach)
         , neighbors(reach, skin())
       {
         for (const unsigned int cell : fibers.owned_cells)
@@ -45,12 +49,6 @@ namespace Setae
         if (parameters.far_field_tolerance > 0.)
           far_field =
             std::make_unique<FarField>(fibers, parameters, roles, rule);
-        if (parameters.integration_tolerance > 0.)
-          grading =
-            std::make_unique<GradedSegments>(parameters.integration_tolerance,
-                                             parameters.n_gauss_points,
-                                             parameters.n_segments,
-                                             parameters.regularization);
       }
 
       std::string
@@ -95,7 +93,7 @@ namespace Setae
                       &cell_pairs) const override
       {
         for (unsigned int i = 0; i < sources.size(); ++i)
-          for (const unsigned int target : partners(i))
+          for (const unsigned int target : partners()(i))
             cell_pairs.emplace_back(sources[i], target);
       }
 
@@ -107,25 +105,27 @@ namespace Setae
         report                = {};
         double       energy   = 0.;
         const double strength = this->strength(state.time);
-        for_each_pair(state,
-                      [&](const unsigned int           source,
-                          const unsigned int           target,
-                          const std::vector<LineSite> &source_sites,
-                          const Segment               &of_target) {
-                        if (add_pair(state,
-                                     source,
-                                     target,
-                                     source_sites,
-                                     of_target,
-                                     strength,
-                                     request))
-                          {
-                            if (has_potential())
-                              local.symmetrize();
-                            energy += local.energy;
-                            system.add(source, target, local);
-                          }
-                      });
+        points.for_each_pair(state,
+                             sources,
+                             partners(),
+                             [&](const unsigned int           source,
+                                 const unsigned int           target,
+                                 const std::vector<LineSite> &source_sites,
+                                 const Segment               &of_target) {
+                               if (add_pair(state,
+                                            source,
+                                            target,
+                                            source_sites,
+                                            of_target,
+                                            strength,
+                                            request))
+                                 {
+                                   if (has_potential())
+                                     local.symmetrize();
+                                   energy += local.energy;
+                                   system.add(source, target, local);
+                                 }
+                             });
         if (far_field)
           energy += far_field->assemble(state, strength, request, system);
         return energy;
@@ -181,8 +181,10 @@ namespace Setae
         Assert(!far_field, ExcNotImplemented("clusters mix fibers"));
         FiberPairResultants resultants;
         const double        strength = this->strength(state.time);
-        for_each_pair(
+        points.for_each_pair(
           state,
+          sources,
+          partners(),
           [&](const unsigned int           source,
               const unsigned int           target,
               const std::vector<LineSite> &source_sites,
@@ -217,8 +219,10 @@ namespace Setae
         std::map<unsigned int, std::vector<SiteForce>> sums;
         const double strength = this->strength(state.time);
 
-        for_each_pair_with_equal_segments(
+        points.for_each_pair_with_equal_segments(
           state,
+          sources,
+          partners(),
           [&](const unsigned int           source,
               const unsigned int           target,
               const std::vector<LineSite> &source_sites,
@@ -261,20 +265,20 @@ namespace Setae
       }
 
     private:
-      using Segment = GradedSegments::Segment;
-
-      static constexpr Segment whole = {0., 1.};
+      using Segment = InteractionPoints::Segment;
 
       static constexpr bool has_offset =
         Law::depends_on == Invariants::gap_offset;
 
       static constexpr bool is_contact = std::is_same_v<Law, PenaltyContact>;
 
-      /** The cells near the source of index @p i. */
-      ArrayView<const unsigned int>
-      partners(const unsigned int i) const
+      /** A function of the index of a source: the cells near that. */
+      auto
+      partners() const
       {
-        return far_field ? far_field->near_targets(i) : neighbors.targets(i);
+        return [this](const unsigned int i) {
+          return far_field ? far_field->near_targets(i) : neighbors.targets(i);
+        };
       }
 
       void
@@ -364,112 +368,6 @@ namespace Setae
                                         std::numeric_limits<double>::infinity();
       }
 
-      /** Call @p function with source, its sites, target and a part of that. */
-      template <typename Function>
-      void
-      for_each_pair(const State &state, const Function &function) const
-      {
-        if (!grading)
-          for_each_pair_with_equal_segments(state, function);
-        else if constexpr (is_projected<Law>)
-          for_each_pair_with_graded_source(state, function);
-        else
-          for_each_pair_of_graded_segments(state, function);
-      }
-
-      template <typename Function>
-      void
-      for_each_pair_with_equal_segments(const State    &state,
-                                        const Function &function) const
-      {
-        std::vector<LineSite> sites;
-        for (unsigned int i = 0; i < sources.size(); ++i)
-          {
-            const auto partners = this->partners(i);
-            if (partners.size() == 0)
-              continue;
-            evaluate_sites(rule,
-                           fibers.initial[sources[i]],
-                           state.current[sources[i]],
-                           sites);
-            for (const unsigned int target : partners)
-              function(sources[i], target, sites, whole);
-          }
-      }
-
-      /** All targets see the same sites: these pass from one to the next. */
-      template <typename Function>
-      void
-      for_each_pair_with_graded_source(const State    &state,
-                                       const Function &function) const
-      {
-        std::vector<GradedSegments::Neighbor> targets;
-        std::vector<Segment>                  segments;
-        std::vector<LineSite>                 sites;
-        for (unsigned int i = 0; i < sources.size(); ++i)
-          {
-            const unsigned int source = sources[i];
-            targets.clear();
-            for (const unsigned int target : partners(i))
-              targets.push_back(neighbor(state, source, target));
-            if (targets.empty())
-              continue;
-            grading->divide(state.current[source].control_points(),
-                            targets,
-                            segments);
-            sites.clear();
-            for (const auto &[begin, end] : segments)
-              append_sites(segment_rule,
-                           begin,
-                           end,
-                           fibers.initial[source],
-                           state.current[source],
-                           sites);
-            for (const unsigned int target : partners(i))
-              function(source, target, sites, whole);
-          }
-      }
-
-      template <typename Function>
-      void
-      for_each_pair_of_graded_segments(const State    &state,
-                                       const Function &function) const
-      {
-        std::vector<std::pair<Segment, Segment>> pairs;
-        std::vector<LineSite>                    sites;
-        for (unsigned int i = 0; i < sources.size(); ++i)
-          for (const unsigned int target : partners(i))
-            {
-              const unsigned int source = sources[i];
-              grading->divide_both(state.current[source].control_points(),
-                                   neighbor(state, source, target),
-                                   pairs);
-              for (const auto &[of_source, of_target] : pairs)
-                {
-                  sites.clear();
-                  append_sites(segment_rule,
-                               of_source.begin,
-                               of_source.end,
-                               fibers.initial[source],
-                               state.current[source],
-                               sites);
-                  function(source, target, sites, of_target);
-                }
-            }
-      }
-
-      GradedSegments::Neighbor
-      neighbor(const State       &state,
-               const unsigned int source,
-               const unsigned int target) const
-      {
-        const double radii = fibers.parameters_of_cell(source).radius +
-                             fibers.parameters_of_cell(target).radius;
-        return {state.current[target].control_points(),
-                Law::is_long_range ? 0. : radii,
-                kernel(source, target).reach()};
-      }
-
       /** @return Whether any site of the source is within reach. */
       bool
       add_pair(const State                 &state,
@@ -497,15 +395,10 @@ namespace Setae
                 is_near = true;
                 local.reset(request);
                 if constexpr (!is_projected<Law>)
-                  {
-                    target_sites.clear();
-                    append_sites(grading ? segment_rule : rule,
-                                 of_target.begin,
-                                 of_target.end,
-                                 fibers.initial[target],
-                                 cell,
-                                 target_sites);
-                  }
+                  points.evaluate_target(state,
+                                         target,
+                                         of_target,
+                                         target_sites);
                 if constexpr (has_offset)
                   {
                     spacing = kernel.largest_spacing(target_sites);
@@ -536,20 +429,19 @@ namespace Setae
       const FiberSystem           &fibers;
       const InteractionParameters &parameters;
       const InteractionRoles       roles;
-      const Quadrature<1>          rule;         ///< of a cell
-      const QGauss<1>              segment_rule; ///< of a graded segment
+      const Quadrature<1>          rule; ///< of a cell
 
       /** One for each pair of sections of the scene. */
       std::map<std::pair<unsigned int, unsigned int>, Kernel<Law>> kernels;
 
       double smallest_radius = std::numeric_limits<double>::infinity();
-      const Expression strength;
-      const double     reach; ///< largest of all kernels [length]
-      NeighborList     neighbors;
-      std::unique_ptr<GradedSegments> grading; ///< none if segments are equal
-      std::unique_ptr<FarField> far_field;     ///< none if all pairs are summed
-      std::vector<unsigned int> sources;       ///< owned
-      std::vector<unsigned int> targets;       ///< of all ranks
+      const Expression          strength;
+      const double              reach; ///< largest of all kernels [length]
+      const InteractionPoints   points;
+      NeighborList              neighbors;
+      std::unique_ptr<FarField> far_field; ///< none if all pairs are summed
+      std::vector<unsigned int> sources;   ///< owned
+      std::vector<unsigned int> targets;   ///< of all ranks
       GapReport                 report;
 
       // Scratch, to save allocations.
@@ -558,40 +450,6 @@ namespace Setae
       mutable std::vector<LineSite> target_sites;
     };
   } // namespace
-
-
-
-  SectionPair
-  section_pair(const InteractionParameters &parameters,
-               const FiberParameters       &source,
-               const FiberParameters       &target)
-  {
-    if (parameters.distribution == "surface")
-      return {source.radius,
-              target.radius,
-              source.surface_density,
-              target.surface_density,
-              Distribution::surface};
-    return {source.radius,
-            target.radius,
-            source.number_density,
-            target.number_density,
-            Distribution::volume};
-  }
-
-  PointPotential
-  point_potential(const InteractionParameters &parameters,
-                  const SectionPair           &sections)
-  {
-    if (parameters.prefactors.empty())
-      return lennard_jones_of_cylinders(parameters.equilibrium_gap,
-                                        parameters.force_minimum,
-                                        sections);
-    PointPotential potential;
-    for (unsigned int i = 0; i < parameters.exponents.size(); ++i)
-      potential.push_back({parameters.exponents[i], parameters.prefactors[i]});
-    return potential;
-  }
 
 
 

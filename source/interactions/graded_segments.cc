@@ -13,6 +13,9 @@ namespace Setae
     /** Halving ends here, wherever two centerlines meet. */
     constexpr double shortest = 1. / 4096;
 
+    /** High powers of the gap err by more than the asymptotic estimate. */
+    constexpr double safety = 20.;
+
     /** The polar form of a cubic with the given control points. */
     Tensor<1, 3>
     polar_form(const GradedSegments::ControlPoints &P,
@@ -35,7 +38,7 @@ namespace Setae
                                  const unsigned int n_points,
                                  const unsigned int n_parts,
                                  const double       smallest_gap)
-    : length_factor(2. / std::sinh(-std::log(tolerance) / (2. * n_points)))
+    : length_factor(2. / std::sinh(std::log(safety / tolerance) / (2. * n_points)))
     , n_parts(n_parts)
     , smallest_gap(smallest_gap)
   {}

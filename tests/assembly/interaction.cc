@@ -127,6 +127,41 @@ TEST(Interaction, OfAFiberWithItselfHasTheDerivativesOfItsEnergy)
   expect_differences_of(open_ring("set law = disk-disk"));
 }
 
+// Segments change with the distance, and with them energy and forces by less
+// than the tolerance.
+TEST(Interaction, OnGradedSegmentsHasTheDerivativesOfItsEnergy)
+{
+  const std::string graded = "set integration tolerance = 1e-13 \n";
+  expect_differences_of(crossing_fibers(graded + "set law = disk-disk"));
+  expect_differences_of(crossing_fibers(graded + thick_on_thin));
+  expect_differences_of(open_ring(graded + "set law = disk-disk"));
+}
+
+namespace
+{
+  /** Error of the energy on graded segments over the tolerance. */
+  double
+  error_over_tolerance(const std::string &law, const std::string &tolerance)
+  {
+    const double many = energy_of(
+                   crossing_fibers(law + "set integration segments = 200")),
+                 graded = energy_of(crossing_fibers(
+                   law + "set integration tolerance = " + tolerance));
+    return std::abs(graded / many - 1.) / std::stod(tolerance);
+  }
+} // namespace
+
+// Beyond 1e-4, what limits a law of the closest point is the end of the target,
+// beyond which that does not move: the integrand is not analytic there.
+TEST(Interaction, OnGradedSegmentsIsThatOnManyEqualOnes)
+{
+  for (const std::string tolerance : {"1e-2", "1e-4"})
+    EXPECT_LT(error_over_tolerance("set law = disk-cylinder \n", tolerance),
+              1.);
+  for (const std::string tolerance : {"1e-2", "1e-4", "1e-6"})
+    EXPECT_LT(error_over_tolerance("set law = disk-disk \n", tolerance), 1.);
+}
+
 TEST(Interaction, InTwoHalfPassesIsTheMeanOfBothSides)
 {
   const double thick = energy_of(crossing_fibers(thick_on_thin)),

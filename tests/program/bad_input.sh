@@ -106,6 +106,8 @@ interactions/adhesion/force minimum|1|Double
 interactions/adhesion/force minimum|0|negative
 interactions/adhesion/far field tolerance|0.001|only 'monopole' has a far field
 interactions/adhesion/far field tolerance|1|Double 0
+interactions/adhesion/integration tolerance|1|Double 0
+interactions/adhesion/integration tolerance|1e-15|from 1e-14
 interactions/adhesion/cutoff|0|positive
 interactions/adhesion/switch width|2|Double 0...1
 interactions/adhesion/regularization gap|0.1|below the gap from which on the cutoff

@@ -30,7 +30,8 @@ namespace Setae
    * @f$\varrho=\delta+\sqrt{1+\delta^2}@f$ for a singularity at @f$\delta@f$
    * half-lengths beside the middle. A tolerance @f$\varepsilon@f$ therefore asks
    * for segments of at most
-   * @f[ \ell = 2\lambda / \sinh\frac{-\ln\varepsilon}{2n} . @f]
+   * @f[ \ell = 2\lambda / \sinh\frac{\ln(20/\varepsilon)}{2n}, @f]
+   * where the factor of 20 was found necessary for the high powers of the gap.
    * Segments are halved until they are. Distances are bounds from below by the
    * convex hulls of control points.
    */
