@@ -26,17 +26,18 @@ plot for [law in laws] sprintf("< grep '^%s,128 x 5,' beam_on_arc_curves.csv", l
      for [n in "30 50"] sprintf("< grep '^disk-disk,%s x 5,' beam_on_arc_curves.csv", n) \
        using 3:5 with lines dashtype 2 title sprintf('disk-disk, %s segments', n)
 
-set key bottom left
+set key bottom right font ',9' samplen 2 spacing .9
+set yrange [1e-13:]
 set logscale xy
 set format x '10^{%T}'
 set format y '10^{%T}'
-set xlabel 'CPU time [s]'
+set xlabel 'CPU time [s], filled: graded segments'
 set ylabel 'relative error of the energy at t = 1'
 plot for [i=1:words(laws)] \
        sprintf("< grep '^%s,.* x 5,' beam_on_arc_errors.csv | grep -v ',128 x'", \
                word(laws, i)) \
        using 7:4 with linespoints pointtype 6 linecolor i \
-       title word(laws, i).', equal segments', \
+       title word(laws, i), \
      for [i=1:words(laws)] \
        sprintf("< grep '^%s,graded' beam_on_arc_errors.csv", word(laws, i)) \
-       using 7:4 with linespoints pointtype 7 linecolor i title 'graded'
+       using 7:4 with linespoints pointtype 7 linecolor i notitle
