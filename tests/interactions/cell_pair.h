@@ -310,15 +310,14 @@ namespace Setae
 
 
   /**
-   * Residual and tangent matrix of @p evaluate are the central differences
-   * (fourth order, @p step) of energy and residual.
+   * Central differences (fourth order, @p step) of energy and residual of
+   * @p evaluate, in place of its residual and its tangent matrix.
    */
   template <typename Evaluate>
-  void
-  expect_finite_differences(const Evaluate &evaluate,
-                            const CellPair &cells,
-                            const double    step,
-                            const double    tolerance)
+  LocalSystem<24>
+  finite_differences(const Evaluate &evaluate,
+                     const CellPair &cells,
+                     const double    step)
   {
     LocalSystem<24> differences = evaluate(cells);
     for (unsigned int j = 0; j < 24; ++j)
@@ -344,7 +343,19 @@ namespace Setae
                                               plus_2.residual[i],
                                               minus_2.residual[i]);
       }
-    expect_equal(evaluate(cells), differences, tolerance);
+    return differences;
+  }
+
+  template <typename Evaluate>
+  void
+  expect_finite_differences(const Evaluate &evaluate,
+                            const CellPair &cells,
+                            const double    step,
+                            const double    tolerance)
+  {
+    expect_equal(evaluate(cells),
+                 finite_differences(evaluate, cells, step),
+                 tolerance);
   }
 } // namespace Setae
 
