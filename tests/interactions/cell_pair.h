@@ -23,6 +23,8 @@
 #include <cmath>
 #include <random>
 
+#include "../random_vectors.h"
+
 namespace Setae
 {
   using Coefficients = std::array<double, 24>;
@@ -89,36 +91,6 @@ namespace Setae
     s.r_x    = cell.combine(s.N_x);
     s.weight = 1.;
     return s;
-  }
-
-
-
-  inline Tensor<1, 3>
-  random_vector(std::mt19937 &random)
-  {
-    std::normal_distribution<double> normal;
-    Tensor<1, 3>                     result;
-    for (unsigned int c = 0; c < 3; ++c)
-      result[c] = normal(random);
-    return result;
-  }
-
-
-
-  inline Tensor<1, 3>
-  random_direction(std::mt19937 &random)
-  {
-    const Tensor<1, 3> v = random_vector(random);
-    return v / v.norm();
-  }
-
-
-
-  inline Tensor<1, 3>
-  random_normal_to(const Tensor<1, 3> &v, std::mt19937 &random)
-  {
-    const Tensor<1, 3> e = cross_product_3d(v, random_vector(random));
-    return e / e.norm();
   }
 
 
