@@ -246,6 +246,10 @@ namespace Setae
               path + "frame",
               interaction.frame,
               allowed);
+      require(has_offset || interaction.cutoff_of == "energy",
+              path + "cutoff of",
+              interaction.cutoff_of,
+              allowed);
       require(has_offset || interaction.interaction_moments,
               path + "interaction moments",
               "false",

@@ -265,6 +265,14 @@ namespace Setae
                       "The part of the cutoff over which the interaction is "
                       "switched off smoothly.",
                       Patterns::Double(0., 1.));
+    prm.add_parameter("cutoff of",
+                      cutoff_of,
+                      "For a law of the offset, what is switched off: the "
+                      "'energy', whose slope adds an attraction, or the "
+                      "'forces', as if those beyond the cutoff were left out "
+                      "(ISSIP Sec. 6.5). The latter have no potential, so that "
+                      "instabilities cannot be passed.",
+                      Patterns::Selection("energy|forces"));
     prm.add_parameter("regularization gap",
                       regularization,
                       "Below this gap the law goes on with a force linear in "

@@ -14,15 +14,18 @@ namespace Setae
   {
     /**
      * The way to pull-off that does not peel: the fibers of peeling_issip.prm
-     * begin half a length apart, loads at their middles press them together
-     * until t = 1 and let go of them until t = 2, then the supports move on.
-     * The equilibria from t = 2 on are those of the peeling curve, for a tenth
-     * of the cost: the fibers never meet outside of their middles.
+     * begin half a length apart. Loads at their middles press them together
+     * until t = 1, to a gap a bit below that of their equilibrium. There the
+     * interaction is switched on until t = 2, which hardly moves them and so
+     * passes no instability; the loads are taken off until t = 3, then the
+     * supports move on. The equilibria from t = 3 on are those of the peeling
+     * curve, for a tenth of the cost: the fibers never meet outside of their
+     * middles.
      */
     namespace Opened
     {
-      /** The paper's 3200 points per length [1/length]. */
-      inline constexpr unsigned int n_points = 16000;
+      /** About the paper's 3200 points per length [1/length]. */
+      inline constexpr unsigned int n_points = 16384;
 
       inline std::string
       scene(const std::string &peeling)
@@ -34,47 +37,44 @@ subsection loads
   subsection left
     set fibers = left
     set at     = 2.5
-    set force  = 0.0088*max(0, min(t, 2 - t)); 0; 0
+    set force  = 0.0082243*min(1, t, 3 - min(t, 3)); 0; 0
   end
 
   subsection right
     set fibers = right
     set at     = 2.5
-    set force  = -0.0088*max(0, min(t, 2 - t)); 0; 0
+    set force  = -0.0082243*min(1, t, 3 - min(t, 3)); 0; 0
   end
 end
 )";
       }
 
-      /** The supports are u_x/l = 0.5 + (t - 2)/10 apart. */
+      /** The supports are u_x/l = 0.5 + (t - 3)/10 apart. */
       inline double
       time(const double opening)
       {
-        return 2. + 10. * (opening - .5);
+        return 3. + 10. * (opening - .5);
       }
 
       /** Steps until an opening is reached, with @p n_cells cells a fiber. */
       inline Overrides
       until(const double opening, const unsigned int n_cells = 64)
       {
-        std::ostringstream end_time, largest_step;
+        std::ostringstream end_time;
         end_time << "load stepping/end time=" << time(opening);
-
-        // The middles meet at t = 0.93: no step must throw them far across each
-        // other. One step ends at u_x/l = 0.57, to compare there.
-        largest_step << "load stepping/largest step=if(t < 0.83, 0.2, "
-                        "if(t < 0.94, 0.002, if(t < 2.69, "
-                        "min(0.3, 2.7 - t), 0.02)))";
         return cells(n_cells) +
                Overrides{"constants=l = 5, R = 0.02, g_0 = 2.5",
                          "supports/right/displacement="
-                         "l*max(0, t - 2)/10; free; free",
+                         "l*max(0, t - 3)/10; free; free",
+                         "interactions/adhesion/strength=max(0, min(1, t - 1))",
                          "interactions/adhesion/integration segments=" +
                            std::to_string(n_points / n_cells),
-                         "load stepping/first step=0.2",
+                         "load stepping/first step=0.25",
                          "load stepping/smallest step=1e-4",
                          end_time.str(),
-                         largest_step.str()};
+                         // One step ends at u_x/l = 0.57, to compare there.
+                         "load stepping/largest step=if(t < 1, 0.25, "
+                         "if(t < 3.69, min(0.3, 3.7 - t), 0.02))"};
       }
 
       /** Without the points at which loads act. */
@@ -84,7 +84,7 @@ end
         const auto first =
           std::find_if(curve.points.begin(),
                        curve.points.end(),
-                       [](const Point &p) { return p.time >= 2.; });
+                       [](const Point &p) { return p.time >= 3.; });
         curve.points.erase(curve.points.begin(), first);
         return curve;
       }

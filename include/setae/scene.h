@@ -90,6 +90,7 @@ namespace Setae
     double                    force_minimum         = 0.;
     double                    cutoff                = 0.;
     double                    switch_width          = .1;
+    std::string               cutoff_of             = "energy";
     double                    regularization        = 0.;
     double                    skin                  = 0.;
     double                    far_field_tolerance   = 0.;

@@ -147,7 +147,8 @@ namespace Setae
       bool
       has_potential() const override
       {
-        return !has_offset || parameters.interaction_moments;
+        return !has_offset || (parameters.interaction_moments &&
+                               parameters.cutoff_of == "energy");
       }
 
       GapReport

@@ -23,6 +23,8 @@
 #include <cmath>
 #include <random>
 
+#include "../random_vectors.h"
+
 namespace Setae
 {
   using Coefficients = std::array<double, 24>;
@@ -89,36 +91,6 @@ namespace Setae
     s.r_x    = cell.combine(s.N_x);
     s.weight = 1.;
     return s;
-  }
-
-
-
-  inline Tensor<1, 3>
-  random_vector(std::mt19937 &random)
-  {
-    std::normal_distribution<double> normal;
-    Tensor<1, 3>                     result;
-    for (unsigned int c = 0; c < 3; ++c)
-      result[c] = normal(random);
-    return result;
-  }
-
-
-
-  inline Tensor<1, 3>
-  random_direction(std::mt19937 &random)
-  {
-    const Tensor<1, 3> v = random_vector(random);
-    return v / v.norm();
-  }
-
-
-
-  inline Tensor<1, 3>
-  random_normal_to(const Tensor<1, 3> &v, std::mt19937 &random)
-  {
-    const Tensor<1, 3> e = cross_product_3d(v, random_vector(random));
-    return e / e.norm();
   }
 
 
@@ -310,15 +282,14 @@ namespace Setae
 
 
   /**
-   * Residual and tangent matrix of @p evaluate are the central differences
-   * (fourth order, @p step) of energy and residual.
+   * Central differences (fourth order, @p step) of energy and residual of
+   * @p evaluate, in place of its residual and its tangent matrix.
    */
   template <typename Evaluate>
-  void
-  expect_finite_differences(const Evaluate &evaluate,
-                            const CellPair &cells,
-                            const double    step,
-                            const double    tolerance)
+  LocalSystem<24>
+  finite_differences(const Evaluate &evaluate,
+                     const CellPair &cells,
+                     const double    step)
   {
     LocalSystem<24> differences = evaluate(cells);
     for (unsigned int j = 0; j < 24; ++j)
@@ -344,7 +315,19 @@ namespace Setae
                                               plus_2.residual[i],
                                               minus_2.residual[i]);
       }
-    expect_equal(evaluate(cells), differences, tolerance);
+    return differences;
+  }
+
+  template <typename Evaluate>
+  void
+  expect_finite_differences(const Evaluate &evaluate,
+                            const CellPair &cells,
+                            const double    step,
+                            const double    tolerance)
+  {
+    expect_equal(evaluate(cells),
+                 finite_differences(evaluate, cells, step),
+                 tolerance);
   }
 } // namespace Setae
 

@@ -66,17 +66,19 @@ namespace
   using LennardJones = OffsetSections<OffsetDisks>;
 
   LennardJones
-  lennard_jones(const GapRange    &range,
-                const OffsetAxis   axis         = OffsetAxis::averaged,
-                const bool         with_moments = true,
-                const SectionPair &sections     = {.02, .03, 1., 1.})
+  lennard_jones(const GapRange     &range,
+                const OffsetAxis    axis         = OffsetAxis::averaged,
+                const bool          with_moments = true,
+                const SectionPair  &sections     = {.02, .03, 1., 1.},
+                const CutoffSwitch &force_switch = CutoffSwitch())
   {
     return {OffsetDisks(lennard_jones_of_cylinders(1e-3, -1., sections),
                         sections,
                         range),
             sections.radius_1 + sections.radius_2,
             axis,
-            with_moments};
+            with_moments,
+            force_switch};
   }
 
   template <typename Interaction>
@@ -327,6 +329,65 @@ TEST(OffsetSections, ViolateTheBalanceOfMomentsWithoutTheirOwn)
       EXPECT_LE(imbalance(lennard_jones({}, axis, true), c), 1e-11);
       EXPECT_GE(imbalance(lennard_jones({}, axis, false), c), 1e-6);
     }
+}
+
+
+
+// Forces that are switched off themselves: the factor of the distance is that
+// of the residual, and the tangent matrix is its derivative without a
+// potential.
+TEST(OffsetSections, SwitchForcesOff)
+{
+  std::mt19937       random(10);
+  const CutoffSwitch factor_of_gap(.005, .02);
+  for_each_variant([&](const OffsetAxis axis, const bool with_moments) {
+    const LennardJones whole    = lennard_jones({}, axis, with_moments),
+                       switched = lennard_jones({},
+                                                axis,
+                                                with_moments,
+                                                {.02, .03, 1., 1.},
+                                                factor_of_gap);
+    EXPECT_DOUBLE_EQ(switched.reach(), .07);
+    EXPECT_FALSE(switched.is_symmetric());
+    for (const double gap : {4e-3, 6e-3, 1e-2, 1.9e-2})
+      {
+        // The first source and the second target are the only ones in reach.
+        Configuration c = aligned_configuration(random, .1, .05 + gap, 1);
+        c.target_sites.erase(c.target_sites.begin());
+        const auto evaluate = [&](const CellPair &cells) {
+          return by_hand(switched, c.with(cells));
+        };
+        const LocalSystem<24> local    = evaluate(c.cells),
+                              unscaled = by_hand(whole, c);
+        LocalSystem<24> expected = finite_differences(evaluate, c.cells, 1e-5);
+        expected.energy          = unscaled.energy;
+        for (unsigned int i = 0; i < 24; ++i)
+          expected.residual[i] =
+            factor_of_gap.value(gap) * unscaled.residual[i];
+        expect_equal(local, expected, 1e-7);
+        if (with_moments)
+          expect_balance_of_momentum(c.cells, local, 1e-10);
+
+        double asymmetry = 0.;
+        for (unsigned int i = 0; i < 24; ++i)
+          for (unsigned int j = 0; j < i; ++j)
+            asymmetry =
+              std::max(asymmetry,
+                       std::abs(local.tangent[i][j] - local.tangent[j][i]));
+        if (with_moments && gap > .005)
+          {
+            EXPECT_GT(asymmetry, 1e-4 * largest(local.tangent));
+          }
+
+        std::vector<SiteForce> on_source, on_target;
+        switched.add_forces(
+          c.source_sites, c.target_sites, factor, on_source, on_target);
+        for (unsigned int e = 0; e < 3; ++e)
+          EXPECT_NEAR(c.source_sites[0].weight * on_source[0].force[e],
+                      -local.residual[e] - local.residual[6 + e],
+                      1e-12 * largest(local.residual));
+      }
+  });
 }
 
 

@@ -14,20 +14,12 @@
 #include <random>
 #include <vector>
 
+#include "../random_vectors.h"
+
 using namespace Setae;
 
 namespace
 {
-  Tensor<1, 3>
-  random_vector(std::mt19937 &random)
-  {
-    std::normal_distribution<double> normal;
-    Tensor<1, 3>                     result;
-    for (unsigned int c = 0; c < 3; ++c)
-      result[c] = normal(random);
-    return result;
-  }
-
   HermiteCell<>
   random_cell(std::mt19937 &random)
   {

@@ -13,28 +13,12 @@
 #include <vector>
 
 #include "../nested_sacado.h"
+#include "../random_vectors.h"
 
 using namespace Setae;
 
 namespace
 {
-  Tensor<1, 3>
-  random_vector(std::mt19937 &random)
-  {
-    std::normal_distribution<double> normal;
-    Tensor<1, 3>                     result;
-    for (unsigned int c = 0; c < 3; ++c)
-      result[c] = normal(random);
-    return result;
-  }
-
-  Tensor<1, 3>
-  random_direction(std::mt19937 &random)
-  {
-    const Tensor<1, 3> v = random_vector(random);
-    return v / v.norm();
-  }
-
   GapAngleDerivatives
   random_law(std::mt19937 &random)
   {

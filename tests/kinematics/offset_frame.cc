@@ -17,22 +17,13 @@
 #include <random>
 
 #include "../nested_sacado.h"
+#include "../random_vectors.h"
 
 using namespace Setae;
 
 namespace
 {
   constexpr OffsetAxis axes[] = {OffsetAxis::averaged, OffsetAxis::source};
-
-  Tensor<1, 3>
-  random_vector(std::mt19937 &random)
-  {
-    std::normal_distribution<double> normal;
-    Tensor<1, 3>                     result;
-    for (unsigned int c = 0; c < 3; ++c)
-      result[c] = normal(random);
-    return result;
-  }
 
   OffsetGapDerivatives
   random_law(std::mt19937 &random)

@@ -92,6 +92,8 @@ interactions/adhesion/two half passes|maybe|Bool
 interactions/adhesion/integration rule|simpson|gauss|midpoint
 interactions/adhesion/frame|target|averaged|source
 interactions/adhesion/frame|source|left out with the law 'disk-cylinder'
+interactions/adhesion/cutoff of|stiffness|energy|forces
+interactions/adhesion/cutoff of|forces|left out with the law 'disk-cylinder'
 interactions/adhesion/interaction moments|false|left out with the law 'disk-cylinder'
 interactions/adhesion/prefactors|-1, 1|'equilibrium gap' and 'force minimum'
 interactions/adhesion/exponents|6, 10|6, 12 with an equilibrium gap

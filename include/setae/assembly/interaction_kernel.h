@@ -13,6 +13,7 @@
 #include <setae/laws/all.h>
 
 #include <type_traits>
+#include <utility>
 
 namespace Setae
 {
@@ -150,16 +151,24 @@ namespace Setae
     else
       {
         const PointPotential potential = point_potential(parameters, sections);
-        const Law            law       = make_law<Law>(potential,
+        GapRange             range     = internal::gap_range(parameters);
+        CutoffSwitch         force_switch;
+        if (parameters.cutoff_of == "forces")
+          {
+            std::swap(range.cutoff_begin, force_switch.begin);
+            std::swap(range.cutoff, force_switch.end);
+          }
+        const Law law = make_law<Law>(potential,
                                       sections,
-                                      internal::gap_range(parameters),
+                                      range,
                                       internal::law_accuracy(parameters));
         if constexpr (Law::depends_on == Invariants::gap_offset)
           return {law,
                   radii,
                   parameters.frame == "source" ? OffsetAxis::source :
                                                  OffsetAxis::averaged,
-                  parameters.interaction_moments};
+                  parameters.interaction_moments,
+                  force_switch};
         else if constexpr (is_projected<Law>)
           {
             const bool by_law = Law::depends_on == Invariants::gap_angle_tilt;

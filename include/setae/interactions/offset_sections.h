@@ -6,6 +6,7 @@
 
 #include <setae/interactions/site_pair_sums.h>
 #include <setae/kinematics/offset_frame.h>
+#include <setae/laws/smooth_cutoff.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,34 +30,42 @@ namespace Setae
    * there is no potential, and the tangent matrix is consistent but lacks
    * symmetry.
    *
+   * A law may be cut off as an energy, by itself, or here by its forces and
+   * moments: they are multiplied by a function of the distance of the centers.
+   * So those of the paper, which leaves out distant pairs (Sec. 6.5), but
+   * without jumps. They are in balance, but have no potential either.
+   *
    * @tparam Law A law of offset and gap, for example OffsetDisks.
    */
   template <typename Law>
   class OffsetSections
   {
   public:
-    OffsetSections(const Law       &law,
-                   const double     sum_of_radii,
-                   const OffsetAxis axis,
-                   const bool       with_moments)
+    OffsetSections(const Law          &law,
+                   const double        sum_of_radii,
+                   const OffsetAxis    axis,
+                   const bool          with_moments,
+                   const CutoffSwitch &force_switch = CutoffSwitch())
       : law(law)
       , sum_of_radii(sum_of_radii)
       , axis(axis)
       , with_moments(with_moments)
+      , force_switch(force_switch)
     {}
 
     /** Whether there is a potential, and the tangent matrix symmetric. */
     bool
     is_symmetric() const
     {
-      return with_moments;
+      return with_moments && std::isinf(force_switch.begin);
     }
 
     /**
      * Add the interaction of one site of the source with all sites of the
      * target cell, times @p factor, to the system of the two cells (source
      * first) and to @p sums, which have to be started before and finished
-     * after all sites of the source.
+     * after all sites of the source. The energy is that of the law, also where
+     * forces are switched off.
      *
      * @param spacing What consecutive targets are apart at most [length].
      * @return The smallest gap seen [length], infinity if all are beyond the
@@ -83,7 +92,8 @@ namespace Setae
             smallest_gap = std::min(smallest_gap, geometry.gap);
             return;
           }
-        smallest_gap = std::min(smallest_gap, geometry.d.norm() - sum_of_radii);
+        const double distance = geometry.d.norm();
+        smallest_gap          = std::min(smallest_gap, distance - sum_of_radii);
         const OffsetGapDerivatives phi =
           (factor * source.weight * target.weight) *
           law(geometry.offset, geometry.gap);
@@ -97,6 +107,8 @@ namespace Setae
           geometry.energy(phi, request >= Request::tangent);
         if (!with_moments)
           leave_out_moments(derivatives);
+        if (distance > force_switch.begin + sum_of_radii)
+          switch_forces(geometry.d, distance, derivatives);
         sums.add(j, target, derivatives, is_symmetric());
       });
       if (is_used)
@@ -125,10 +137,11 @@ namespace Setae
                                      axis);
           if (!law.admits(geometry.gap))
             return;
+          const double       gap = geometry.d.norm() - sum_of_radii;
           const Tensor<1, 3> f =
-            -factor * geometry.energy(law(geometry.offset, geometry.gap), false)
-                        .gradient[PointPairIndex::r1];
-          const double gap = geometry.d.norm() - sum_of_radii;
+            -factor * force_switch.value(gap) *
+            geometry.energy(law(geometry.offset, geometry.gap), false)
+              .gradient[PointPairIndex::r1];
           on_sources[i].force += targets[j].weight * f;
           on_targets[j].force -= sources[i].weight * f;
           on_sources[i].gap = std::min(on_sources[i].gap, gap);
@@ -160,11 +173,11 @@ namespace Setae
                         Number(sqrt(Number(normal * normal)) - sum_of_radii));
     }
 
-    /** Distance of two centerlines from which on the law is zero [length]. */
+    /** Distance of two centerlines from which on there is no force [length]. */
     double
     reach() const
     {
-      return law.cutoff() + sum_of_radii;
+      return std::min(law.cutoff(), force_switch.end) + sum_of_radii;
     }
 
     /** The largest distance of consecutive sites [length]. */
@@ -220,6 +233,27 @@ namespace Setae
         }
     }
 
+    /** Multiply the gradient by the switch, and differentiate that. */
+    void
+    switch_forces(const Tensor<1, 3> &d,
+                  const double        distance,
+                  PointPairEnergy    &pair) const
+    {
+      using namespace PointPairIndex;
+      const GapDerivatives s =
+        force_switch.derivatives(distance - sum_of_radii);
+      const Tensor<1, 3> slope = s.first / distance * d;
+      for (const unsigned int i : {r1, a1, r2, a2})
+        {
+          for (const unsigned int j : {r1, a1, r2, a2})
+            pair.hessian[i][j] *= s.value;
+          const Tensor<2, 3> change = outer_product(pair.gradient[i], slope);
+          pair.hessian[i][r1] += change;
+          pair.hessian[i][r2] -= change;
+          pair.gradient[i] *= s.value;
+        }
+    }
+
     static void
     start(const std::vector<LineSite> &sites, std::vector<SiteForce> &forces)
     {
@@ -229,10 +263,11 @@ namespace Setae
             {site.r, {}, std::numeric_limits<double>::infinity()});
     }
 
-    Law        law;
-    double     sum_of_radii;
-    OffsetAxis axis;
-    bool       with_moments;
+    Law          law;
+    double       sum_of_radii;
+    OffsetAxis   axis;
+    bool         with_moments;
+    CutoffSwitch force_switch; ///< of the gap between the centers
   };
 } // namespace Setae
 

@@ -19,7 +19,8 @@ namespace Setae
   class CutoffSwitch
   {
   public:
-    CutoffSwitch(const double begin, const double end)
+    CutoffSwitch(const double begin = std::numeric_limits<double>::infinity(),
+                 const double end   = std::numeric_limits<double>::infinity())
       : begin(begin)
       , end(end)
     {}
