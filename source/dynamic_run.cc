@@ -7,7 +7,9 @@
 #include <setae/solvers/ida.h>
 #include <setae/solvers/time_stepping.h>
 
+#include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace Setae
 {
@@ -33,25 +35,34 @@ namespace Setae
 
 
 
-  MotionReport
-  DynamicRun::report(const Motion     &motion,
-                     const double      step_size,
-                     const Evaluation &evaluation)
+  DynamicRun::Balance
+  DynamicRun::balance(const Motion     &motion,
+                      const double      time,
+                      const double      step_size,
+                      const Evaluation &evaluation)
   {
-    MotionReport result;
-    result.momenta      = system.momenta(motion);
-    result.total_energy = evaluation.energy + result.momenta.kinetic_energy;
+    Balance       result;
+    MotionReport &report = result.report;
+    report.momenta       = system.momenta(motion);
+    report.total_energy  = evaluation.energy + report.momenta.kinetic_energy;
+
+    result.support_power = system.support_power(motion);
+    result.external_work = system.external_work(motion, time);
+    if (step_size == 0.)
+      return result;
+
+    report.support_work =
+      last.report.support_work +
+      .5 * step_size * (last.support_power + result.support_power);
+    report.external_work =
+      last.report.external_work +
+      system.sum(work_between(last.external_work, result.external_work));
 
     // Damping takes the power c V.MV, twice c times the kinetic energy.
-    const double support_power = system.support_power(motion);
-    result.support_work        = last_report.support_work +
-                          .5 * step_size * (last_support_power + support_power);
-    result.dissipation =
-      last_report.dissipation +
+    report.dissipation =
+      last.report.dissipation +
       step_size * dynamics.damping *
-        (last_report.momenta.kinetic_energy + result.momenta.kinetic_energy);
-    last_report        = result;
-    last_support_power = support_power;
+        (last.report.momenta.kinetic_energy + report.momenta.kinetic_energy);
     return result;
   }
 
@@ -67,10 +78,9 @@ namespace Setae
     AssertThrow(at_start.evaluation.is_admissible,
                 ExcRun("The motion cannot begin: " +
                        at_start.evaluation.reason + "."));
-    last_report        = {};
-    last_support_power = 0.;
+    last = balance(initial, 0., 0., at_start.evaluation);
     StepRecord record;
-    record.motion = report(initial, 0., at_start.evaluation);
+    record.motion = last.report;
     visit(record, at_start, initial.displacement);
 
     if (dynamics.integrator == "IDA")
@@ -97,8 +107,7 @@ namespace Setae
       {
         StepRecord         record;
         const SolverResult result = solve_step(method, steps, record);
-        record.motion =
-          report(method.motion(), record.step_size, result.evaluation);
+        record.motion             = last.report;
         visit(record, result, method.motion().displacement);
       }
   }
@@ -117,10 +126,19 @@ namespace Setae
         const SolverResult result =
           method.try_step(system, record.time, record.step_size);
 
-        const StepMeasure quality =
-          result.converged ? measure(method, steps) : StepMeasure();
+        Balance     next;
+        StepMeasure quality;
+        if (result.converged)
+          {
+            next    = balance(method.trial(),
+                           record.time,
+                           record.step_size,
+                           result.evaluation);
+            quality = measure(method, steps, next.report);
+          }
         if (result.converged && quality.is_acceptable())
           {
+            last = std::move(next);
             method.accept();
             steps.accept(quality);
             return result;
@@ -132,7 +150,8 @@ namespace Setae
         else
           reason << "the error is " << quality.error
                  << " of the tolerance, the largest displacement "
-                 << quality.displacement << " of what is allowed";
+                 << quality.displacement << ", the error of the energy "
+                 << quality.energy << " of what is allowed";
         record.n_iterations_rejected += result.n_iterations;
         ++record.n_rejected;
         progress.print_rejection(reason.str());
@@ -151,12 +170,17 @@ namespace Setae
 
 
   StepMeasure
-  DynamicRun::measure(const GeneralizedAlpha &method, const TimeStepping &steps)
+  DynamicRun::measure(const GeneralizedAlpha &method,
+                      const TimeStepping     &steps,
+                      const MotionReport     &motion)
   {
     StepMeasure result;
     if (dynamics.largest_displacement > 0.)
       result.displacement =
         method.largest_displacement(system) / dynamics.largest_displacement;
+    if (dynamics.energy_tolerance > 0.)
+      result.energy = std::abs(motion.balance() - last.report.balance()) /
+                      dynamics.energy_tolerance;
     if (steps.is_adaptive())
       result.error = method.error(system) / dynamics.tolerance;
     return result;
@@ -181,9 +205,12 @@ namespace Setae
                         StepRecord record;
                         record.time      = time;
                         record.step_size = time - last_time;
-                        record.motion =
-                          report(motion, record.step_size, result.evaluation);
-                        last_time = time;
+                        last             = balance(motion,
+                                       time,
+                                       record.step_size,
+                                       result.evaluation);
+                        record.motion    = last.report;
+                        last_time        = time;
                         visit(record, result, motion.displacement);
                       });
   }

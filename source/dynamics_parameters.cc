@@ -14,15 +14,18 @@ namespace Setae
   void
   DynamicsParameters::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("integrator",
-                      integrator,
-                      "'none' for a static scene. 'generalized-alpha': "
-                      "implicit, second order, with numerical damping as "
-                      "'rho infinity' says. 'IDA': the variable-order BDF "
-                      "method of SUNDIALS with its own error control. With one "
-                      "of these, fibers have inertia and 'load stepping' is "
-                      "not used.",
-                      Patterns::Selection("none|generalized-alpha|IDA"));
+    prm.add_parameter(
+      "integrator",
+      integrator,
+      "'none' for a static scene. 'generalized-alpha': "
+      "implicit, second order, with numerical damping as "
+      "'rho infinity' says. 'energy-conserving': the same, "
+      "with a force that makes the energy change by nothing "
+      "but that damping, also in large steps. 'IDA': the variable-order BDF "
+      "method of SUNDIALS with its own error control. With one "
+      "of these, fibers have inertia and 'load stepping' is "
+      "not used.",
+      Patterns::Selection("none|generalized-alpha|energy-conserving|IDA"));
     prm.add_parameter("end time",
                       end_time,
                       "The motion goes from time 0 to this one.",
@@ -58,6 +61,15 @@ namespace Setae
       "A step of generalized-alpha that moves a node by more is "
       "repeated with a smaller size, so that fibers cannot "
       "jump through each other [length]; 0 means no bound.",
+      Patterns::Double(0.));
+    prm.add_parameter(
+      "energy tolerance",
+      energy_tolerance,
+      "The largest error of the balance of energy in one step [energy], that "
+      "is of kinetic and potential energy less the work done from outside; "
+      "numerical damping counts as an error. A step of generalized-alpha with "
+      "a larger one, as when fibers hit, is repeated with a smaller size; 0 "
+      "means no bound.",
       Patterns::Double(0.));
     prm.add_parameter("rho infinity",
                       rho_infinity,
@@ -109,6 +121,10 @@ namespace Setae
         require(largest_displacement == 0.,
                 "dynamics/largest displacement",
                 largest_displacement,
+                "0 for the integrator IDA, which cannot bound it");
+        require(energy_tolerance == 0.,
+                "dynamics/energy tolerance",
+                energy_tolerance,
                 "0 for the integrator IDA, which cannot bound it");
       }
   }

@@ -29,6 +29,21 @@ namespace Setae
 
 
 
+  double
+  FiberEquations::add_force(const Vector &force)
+  {
+    system.residual += force;
+    Vector free_force(force);
+    supports.at_rest().set_zero(free_force);
+    system.right_hand_side -= free_force;
+
+    Vector free_residual(system.residual);
+    supports.at_rest().set_zero(free_residual);
+    return free_residual.l2_norm();
+  }
+
+
+
   void
   FiberEquations::prescribe(Motion &motion, const double time)
   {
@@ -132,5 +147,16 @@ namespace Setae
     set_supports_to_zero(free);
     reactions -= free;
     return reactions * motion.velocity;
+  }
+
+
+  std::vector<ExternalWork>
+  FiberEquations::external_work(const Motion &motion, const double time)
+  {
+    const State               state = this->state(motion.displacement, time);
+    std::vector<ExternalWork> result;
+    for (const auto &term : terms)
+      term->add_external_work(state, result);
+    return result;
   }
 } // namespace Setae

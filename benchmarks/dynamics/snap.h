@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,9 @@ namespace Setae
       RunSummary              summary;
       State                   state; ///< at the end
       std::vector<StepRecord> records;
+
+      /** The right node of each cell, at each record [length]. */
+      std::vector<std::vector<Tensor<1, 3>>> nodes;
 
       /**
        * The largest and the last difference of the total energy from that at
@@ -45,6 +49,29 @@ namespace Setae
               result[0] = std::max(result[0], std::abs(result[1]));
             }
         return result;
+      }
+
+      /**
+       * The first time at which a node is farther than @p tolerance from where
+       * it is in @p other, a run with steps that divide those of this one;
+       * infinity if there is none.
+       */
+      double
+      time_of_separation(const Result &other, const double tolerance) const
+      {
+        unsigned int j = 0;
+        for (unsigned int i = 0; i < records.size(); ++i)
+          {
+            while (j < other.records.size() &&
+                   other.records[j].time < records[i].time * (1. - 1e-10))
+              ++j;
+            for (unsigned int k = 0;
+                 j < other.records.size() && k < nodes[i].size();
+                 ++k)
+              if ((nodes[i][k] - other.nodes[j][k]).norm() > tolerance)
+                return records[i].time;
+          }
+        return std::numeric_limits<double>::infinity();
       }
 
       /** The largest distance of a node from where it is in @p other. */
@@ -73,9 +100,13 @@ namespace Setae
                            MPI_COMM_WORLD,
                            screen);
       Result             result;
-      result.summary = problem.run(
-        [&](const StepRecord &record) { result.records.push_back(record); });
-      result.state = problem.state();
+      result.summary = problem.run([&](const StepRecord &record) {
+        result.records.push_back(record);
+        result.nodes.emplace_back();
+        for (const HermiteCell<> &cell : problem.state().current)
+          result.nodes.back().push_back(cell.coefficients[2]);
+      });
+      result.state   = problem.state();
       return result;
     }
   } // namespace Snap

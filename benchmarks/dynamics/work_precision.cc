@@ -2,9 +2,11 @@
 // Copyright (C) 2026 The Setae authors
 //
 // Error against run time of the integrators: the two fibers that snap into
-// contact, before and through the first contact, by generalized-alpha with
-// equal and with adapted steps and by IDA, against equal steps far smaller than
-// all others.
+// contact, before and through the first contact and up to the first hard one,
+// by generalized-alpha with equal and with adapted steps, by energy-conserving
+// steps and by IDA, against equal steps far smaller than all others. From the
+// hard contact on, smaller steps do not give the same motion any more: when two
+// runs part is printed.
 
 #include <deal.II/base/convergence_table.h>
 
@@ -35,6 +37,8 @@ namespace Setae
                  "time\n";
           const double order = study("flight", "1.4e-3", 5);
           study("contact", "3e-3", 5);
+          study("snap", "1.2e-2", 4);
+          predictability();
           std::cout << "\nOrder of generalized-alpha before the contact: "
                     << order << " (required: 2 +- 0.1) "
                     << (std::abs(order - 2.) <= .1 ? "reached" : "MISSED")
@@ -43,25 +47,64 @@ namespace Setae
         }
 
       private:
+        /**
+         * The settings of all runs: fewer points than in the scene, as time is
+         * what is studied.
+         */
+        static Overrides
+        scene(const std::string &end)
+        {
+          return {"dynamics/end time=" + end,
+                  "interactions/coulomb/gauss points=4",
+                  "interactions/contact/gauss points=2",
+                  "dynamics/integrator=generalized-alpha",
+                  "dynamics/rho infinity=0.9",
+                  "dynamics/largest displacement=0",
+                  "newton/residual tolerance=1e-12",
+                  "newton/increment tolerance=1e-7"};
+        }
+
+        /** Print when runs with successive time steps part from each other. */
+        void
+        predictability() const
+        {
+          constexpr double          R = .02;
+          dealii::ConvergenceTable  table;
+          std::vector<Result>       results;
+          const std::vector<double> steps = {2e-5, 1e-5, 5e-6};
+          for (const double step : steps)
+            {
+              Overrides overrides = scene("2e-2");
+              overrides.push_back("dynamics/time step=" + number(step));
+              results.push_back(Snap::run(prm, overrides));
+            }
+          for (unsigned int i = 0; i + 1 < results.size(); ++i)
+            {
+              table.add_value("step", number(steps[i]));
+              table.add_value("half of it", number(steps[i + 1]));
+              for (const double part : {.01, .1, 1.})
+                table.add_value("beyond " + number(part) + " R at",
+                                number(results[i].time_of_separation(
+                                  results[i + 1], part * R)));
+            }
+          std::cout
+            << "\nTime at which a node of two runs is farther apart, up "
+               "to time 0.02\n";
+          table.write_text(std::cout);
+        }
+
         /** @return The last rate of convergence of equal steps. */
         double
         study(const std::string &phase,
               const std::string &end,
               const unsigned int n_refinements)
         {
-          // Fewer points than in the scene: time is what is studied.
-          const Overrides scene   = {"dynamics/end time=" + end,
-                                     "interactions/coulomb/gauss points=4",
-                                     "interactions/contact/gauss points=2",
-                                     "dynamics/rho infinity=0.9",
-                                     "dynamics/largest displacement=0",
-                                     "newton/residual tolerance=1e-12",
-                                     "newton/increment tolerance=1e-7"};
+          const Overrides base    = scene(end);
           const auto      step_of = [](const unsigned int refinement) {
             return 1e-4 / (1u << refinement);
           };
-          const auto with = [&scene](Overrides more) {
-            more.insert(more.begin(), scene.begin(), scene.end());
+          const auto with = [&base](Overrides more) {
+            more.insert(more.begin(), base.begin(), base.end());
             return more;
           };
           const auto with_step = [&](const double step) {
@@ -92,6 +135,11 @@ namespace Setae
             add("equal steps", step_of(i), with_step(step_of(i)));
           const double order =
             std::log2(errors[n_refinements - 2] / errors[n_refinements - 1]);
+          for (unsigned int i = 0; i < n_refinements; ++i)
+            add("conserving",
+                step_of(i),
+                with({"dynamics/integrator=energy-conserving",
+                      "dynamics/time step=" + number(step_of(i))}));
           for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6})
             add("adapted steps",
                 tolerance,

@@ -46,27 +46,38 @@ namespace Setae
 
     /** What the step that has been solved is judged by. */
     StepMeasure
-    measure(const GeneralizedAlpha &method, const TimeStepping &steps);
+    measure(const GeneralizedAlpha &method,
+            const TimeStepping     &steps,
+            const MotionReport     &motion);
 
     /** Residual and energies of a motion. */
     Evaluation
     evaluate(const Motion &motion, const double time);
 
+    /** A report of a motion, and what the next one starts from. */
+    struct Balance
+    {
+      MotionReport              report;
+      double                    support_power = 0.; ///< [energy/time]
+      std::vector<ExternalWork> external_work;      ///< of this rank
+    };
+
     /**
-     * Energies, momenta and, by the trapezoidal rule from step to step, work.
+     * Energies, momenta and, by the trapezoidal rule from the last accepted
+     * step on, work. The motion is the one evaluated last.
      */
-    MotionReport
-    report(const Motion     &motion,
-           const double      step_size,
-           const Evaluation &evaluation);
+    Balance
+    balance(const Motion     &motion,
+            const double      time,
+            const double      step_size,
+            const Evaluation &evaluation);
 
     const Scene              &scene;
     const DynamicsParameters &dynamics;
     DynamicSystem            &system;
     Progress                 &progress;
 
-    MotionReport last_report;
-    double       last_support_power = 0.; ///< [energy/time]
+    Balance last; ///< of the last accepted step
   };
 } // namespace Setae
 

@@ -57,6 +57,9 @@ namespace Setae
                     const double  time,
                     const Request request) override;
 
+    double
+    add_force(const Vector &force) override;
+
     const Vector &
     residual() const override
     {
@@ -86,6 +89,15 @@ namespace Setae
 
     double
     support_power(const Motion &motion) override;
+
+    std::vector<ExternalWork>
+    external_work(const Motion &motion, const double time) override;
+
+    double
+    sum(const double value_of_rank) const override
+    {
+      return dealii::Utilities::MPI::sum(value_of_rank, communicator);
+    }
 
     // For the driver and its output.
 

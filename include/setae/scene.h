@@ -136,6 +136,7 @@ namespace Setae
     double       largest_step         = 0.;
     double       smallest_step        = 0.;
     double       largest_displacement = 0.;
+    double       energy_tolerance     = 0.;
     double       rho_infinity         = .9;
     double       damping              = 0.;
     unsigned int max_order            = 2;

@@ -103,32 +103,21 @@ namespace Setae
                GlobalSystem &system) override
       {
         report                = {};
-        double       energy   = 0.;
         const double strength = this->strength(state.time);
-        points.for_each_pair(state,
-                             sources,
-                             partners(),
-                             [&](const unsigned int           source,
-                                 const unsigned int           target,
-                                 const std::vector<LineSite> &source_sites,
-                                 const Segment               &of_target) {
-                               if (add_pair(state,
-                                            source,
-                                            target,
-                                            source_sites,
-                                            of_target,
-                                            strength,
-                                            request))
-                                 {
-                                   if (has_potential())
-                                     local.symmetrize();
-                                   energy += local.energy;
-                                   system.add(source, target, local);
-                                 }
-                             });
-        if (far_field)
-          energy += far_field->assemble(state, strength, request, system);
+        const double energy   = add_pairs(state, strength, request, system);
+
+        // Also what does not act yet works as soon as it grows.
+        energy_of_unit_strength =
+          strength != 0. ? energy / strength :
+                           add_pairs(state, 1., Request::energy, system);
         return energy;
+      }
+
+      void
+      add_external_work(const State               &state,
+                        std::vector<ExternalWork> &work) const override
+      {
+        work.push_back({energy_of_unit_strength, strength(state.time)});
       }
 
       bool
@@ -369,6 +358,41 @@ namespace Setae
                                         std::numeric_limits<double>::infinity();
       }
 
+      /** @return The energy of this rank. */
+      double
+      add_pairs(const State  &state,
+                const double  strength,
+                const Request request,
+                GlobalSystem &system)
+      {
+        double energy = 0.;
+        points.for_each_pair(state,
+                             sources,
+                             partners(),
+                             [&](const unsigned int           source,
+                                 const unsigned int           target,
+                                 const std::vector<LineSite> &source_sites,
+                                 const Segment               &of_target) {
+                               if (add_pair(state,
+                                            source,
+                                            target,
+                                            source_sites,
+                                            of_target,
+                                            strength,
+                                            request))
+                                 {
+                                   if (has_potential())
+                                     local.symmetrize();
+                                   energy += local.energy;
+                                   if (request >= Request::residual)
+                                     system.add(source, target, local);
+                                 }
+                             });
+        if (far_field)
+          energy += far_field->assemble(state, strength, request, system);
+        return energy;
+      }
+
       /** @return Whether any site of the source is within reach. */
       bool
       add_pair(const State                 &state,
@@ -437,6 +461,7 @@ namespace Setae
 
       double smallest_radius = std::numeric_limits<double>::infinity();
       const Expression          strength;
+      double                    energy_of_unit_strength = 0.; ///< of this rank
       const double              reach; ///< largest of all kernels [length]
       const InteractionPoints   points;
       NeighborList              neighbors;

@@ -128,6 +128,28 @@ namespace Setae
 
 
   void
+  Load::add_external_work(const State               &state,
+                          std::vector<ExternalWork> &work) const
+  {
+    for (const Site &site : sites)
+      {
+        const HermiteCell<> &cell = state.current[site.cell];
+        const Tensor<1, 3>   u = state.displacement[site.cell].position(site.x);
+        const Tensor<1, 3>   a = cell.derivative(site.x);
+        const Tensor<1, 3>   f = force(site.arc_length, state.time);
+        const Tensor<1, 3>   m = moment(site.arc_length, state.time);
+        const Tensor<1, 3>   on_a = cross_product_3d(m, a) / (a * a);
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            work.push_back({-site.weight * u[c], f[c]});
+            work.push_back({site.weight * on_a[c], a[c]});
+          }
+      }
+  }
+
+
+
+  void
   Load::add_site(const Site      &site,
                  const State     &state,
                  const Request    request,

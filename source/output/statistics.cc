@@ -38,7 +38,9 @@ namespace Setae
     add_number("kinetic energy", motion.momenta.kinetic_energy);
     add_number("total energy", motion.total_energy);
     add_number("support work", motion.support_work);
+    add_number("external work", motion.external_work);
     add_number("dissipated energy", motion.dissipation);
+    add_number("energy balance", motion.balance());
     for (unsigned int c = 0; c < 3; ++c)
       add_number(std::string("linear momentum ") + axes[c],
                  motion.momenta.linear[c]);

@@ -3,30 +3,67 @@
 
 #include <setae/solvers/generalized_alpha.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace Setae
 {
   namespace
   {
+    using Potential = GeneralizedAlpha::Potential;
+
+    /** After an evaluation with @p rate as the factor of the mass. */
+    Potential
+    potential(DynamicSystem                 &system,
+              const Evaluation              &evaluation,
+              const NonlinearSystem::Vector &displacement,
+              const NonlinearSystem::Vector &rate,
+              const double                   time)
+    {
+      Potential result{evaluation.energy,
+                       system.residual(),
+                       system.external_work({displacement, rate, rate}, time)};
+      result.force -= system.times_mass(rate);
+      return result;
+    }
+
+
+
     /**
      * The balance at the end of a step as a function of the displacement X
-     * there: rate and mass are linear in X, starting from a prediction.
+     * there: rate and mass are linear in X, starting from a prediction. If the
+     * energy is to be conserved, what that takes from the displacement has a
+     * part in the rate.
      */
     class EndOfStep : public NonlinearSystem
     {
     public:
-      EndOfStep(DynamicSystem &system,
-                const Vector  &predicted,
-                const Vector  &predicted_rate,
-                const double   mass_factor)
-        : system(system)
+      /** The beginning of the step, if the energy is to be conserved. */
+      struct Beginning
+      {
+        const Vector    &displacement;
+        const Potential &potential;
+        double           step_size;
+        double           rate_factor; ///< of what is taken
+      };
+
+      EndOfStep(DynamicSystem                  &system,
+                const Vector                   &predicted,
+                const Vector                   &predicted_rate,
+                const double                    mass_factor,
+                const std::optional<Beginning> &beginning)
+        : taken(predicted)
+        , system(system)
         , predicted(predicted)
         , predicted_rate(predicted_rate)
         , mass_factor(mass_factor)
+        , beginning(beginning)
         , rate(predicted_rate)
-      {}
+      {
+        taken = 0.;
+      }
 
       Evaluation
       evaluate(const Vector &solution,
@@ -35,8 +72,11 @@ namespace Setae
       {
         rate = predicted_rate;
         rate.add(mass_factor, solution, -mass_factor, predicted);
-        return system.evaluate_motion(
+        Evaluation evaluation = system.evaluate_motion(
           solution, rate, mass_factor, time, Request::tangent);
+        if (beginning && evaluation.is_valid)
+          conserve_energy(solution, time, evaluation);
+        return evaluation;
       }
 
       bool
@@ -63,11 +103,54 @@ namespace Setae
         return system.largest_displacement(increment);
       }
 
+      // Of the last evaluation.
+      Vector    taken; ///< from the displacement to conserve the energy
+      Potential end;
+
     private:
-      DynamicSystem &system;
-      const Vector  &predicted, &predicted_rate;
-      const double   mass_factor;
-      Vector         rate;
+      /**
+       * The matrix stays without the derivative of this force: that is smaller
+       * than the rest by the error of the energy over the kinetic one.
+       */
+      void
+      conserve_energy(const Vector &solution,
+                      const double  time,
+                      Evaluation   &evaluation)
+      {
+        // Where nothing moves, there is nothing to take energy from.
+        constexpr double largest_part = .1;
+
+        const double h = beginning->step_size;
+        end            = potential(system, evaluation, solution, rate, time);
+        taken          = solution;
+        taken -= beginning->displacement;
+        Vector mean_force(end.force);
+        mean_force.sadd(.5, .5, beginning->potential.force);
+        const double missing =
+          end.energy - beginning->potential.energy -
+          system.sum(work_between(beginning->potential.external_work,
+                                  end.external_work)) -
+          mean_force * taken;
+
+        system.set_supports_to_zero(taken);
+        Vector force = system.times_mass(taken);
+        system.set_supports_to_zero(force);
+        const double twice_kinetic_energy = force * taken / (h * h);
+        const double part                 = twice_kinetic_energy > 0. ?
+                                              std::clamp(.5 * missing / twice_kinetic_energy,
+                                         -largest_part,
+                                         largest_part) :
+                                              0.;
+        taken *= part;
+        force *= part * beginning->rate_factor;
+        evaluation.residual_norm = system.add_force(force);
+      }
+
+      DynamicSystem                 &system;
+      const Vector                  &predicted, &predicted_rate;
+      const double                   mass_factor;
+      const std::optional<Beginning> beginning;
+      Vector                         rate;
     };
   } // namespace
 
@@ -88,6 +171,7 @@ namespace Setae
                                      const Motion             &motion)
     : coefficients(dynamics.rho_infinity)
     , damping(dynamics.damping)
+    , conserves_energy(dynamics.integrator == "energy-conserving")
     , newton(newton, log)
     , last(motion)
     , next(motion)
@@ -161,10 +245,20 @@ namespace Setae
                             const Prediction &prediction)
   {
     const Vector predicted_rate = rate(prediction.motion);
-    EndOfStep    balance(system,
+
+    // What is taken counts like a part of the increment from the prediction,
+    // but for the velocity that goes with it.
+    const double a = acceleration_factor(), v = velocity_factor(),
+                 v_taken = v - 2. / step_size;
+    std::optional<EndOfStep::Beginning> beginning;
+    if (conserves_energy)
+      beginning.emplace(EndOfStep::Beginning{
+        last.displacement, last_potential, step_size, a + damping * v_taken});
+    EndOfStep balance(system,
                       prediction.motion.displacement,
                       predicted_rate,
-                      acceleration_factor() + damping * velocity_factor());
+                      a + damping * v,
+                      beginning);
 
     next = prediction.motion;
     const SolverResult result =
@@ -174,11 +268,26 @@ namespace Setae
 
     Vector correction(next.displacement);
     correction -= prediction.motion.displacement;
-    next.velocity.add(velocity_factor(), correction);
-    next.acceleration.add(acceleration_factor(), correction);
+    next.velocity.add(v, correction, v_taken, balance.taken);
+    correction += balance.taken;
+    next.acceleration.add(a, correction);
     next_auxiliary = prediction.auxiliary;
     next_auxiliary.add(auxiliary_factor(), correction);
+    next_potential = std::move(balance.end);
     return result;
+  }
+
+
+
+  void
+  GeneralizedAlpha::evaluate_first(DynamicSystem &system, const double time)
+  {
+    Vector zero(last.velocity);
+    zero                        = 0.;
+    const Evaluation evaluation = system.evaluate_motion(
+      last.displacement, zero, 0., time, Request::residual);
+    last_potential =
+      potential(system, evaluation, last.displacement, zero, time);
   }
 
 
@@ -189,6 +298,8 @@ namespace Setae
                              const double   step_size)
   {
     this->step_size = step_size;
+    if (conserves_energy && last_potential.force.size() == 0)
+      evaluate_first(system, time - step_size);
 
     // The auxiliary acceleration is that of a time (alpha_m - alpha_f) h after
     // the last one: another step size means another time.
@@ -221,6 +332,7 @@ namespace Setae
   {
     last           = next;
     last_auxiliary = next_auxiliary;
+    last_potential = next_potential;
   }
 
 

@@ -119,10 +119,11 @@ load stepping/smallest step|0|positive
 load stepping/largest step|-1|positive
 load stepping/growth|0.5|Double 1
 fibers/left/density|-1|Double 0
-dynamics/integrator|leapfrog|none|generalized-alpha|IDA
+dynamics/integrator|leapfrog|none|generalized-alpha|energy-conserving|IDA
 dynamics/end time|-1|Double 0
 dynamics/time step|-1|Double 0
 dynamics/tolerance|-1|Double 0
+dynamics/energy tolerance|-1|Double 0
 dynamics/damping|-1|Double 0
 dynamics/rho infinity|1.1|0...1
 dynamics/rho infinity|-0.1|Double 0...1
@@ -225,6 +226,9 @@ rejects two_fibers.prm "${motion[@]}" --set "dynamics/integrator=IDA" -- \
 rejects two_fibers.prm "${motion[@]}" --set "dynamics/integrator=IDA" \
   --set "dynamics/tolerance=1e-6" --set "dynamics/largest displacement=1" -- \
   "'dynamics/largest displacement'" "'1'" "which cannot bound it"
+rejects two_fibers.prm "${motion[@]}" --set "dynamics/integrator=IDA" \
+  --set "dynamics/tolerance=1e-6" --set "dynamics/energy tolerance=1" -- \
+  "'dynamics/energy tolerance'" "'1'" "which cannot bound it"
 
 # Where nothing can be written: below a file, and in the place of one.
 for directory in /dev/null/x two_fibers.prm/x two_fibers.prm; do

@@ -16,8 +16,12 @@ short=(--set output/fields=false --set "dynamics/time step=2e-4"
 ida=(--set dynamics/integrator=IDA --set dynamics/tolerance=1e-4
   --set "dynamics/largest displacement=0")
 for ranks in 1 2 4; do
-  run_on "$ranks" "$scene" "${short[@]}" --output "alpha-$ranks"
+  run_on "$ranks" "$scene" "${short[@]}" --output "alpha-$ranks" \
+    --set dynamics/integrator=generalized-alpha
   check "generalized-alpha on $ranks ranks fails" [ "$status" -eq 0 ]
+  run_on "$ranks" "$scene" "${short[@]}" --output "conserving-$ranks" \
+    --set dynamics/integrator=energy-conserving --set "dynamics/rho infinity=1"
+  check "energy-conserving on $ranks ranks fails" [ "$status" -eq 0 ]
   run_on "$ranks" "$scene" "${short[@]}" "${ida[@]}" --output "ida-$ranks"
   check "IDA on $ranks ranks fails" [ "$status" -eq 0 ]
 done
@@ -25,7 +29,7 @@ done
 # same FIRST SECOND: energies and momenta agree to 1e-7 of the largest of each.
 same() {
   awk '
-    /^# [0-9]+: .*(energy|momentum)/ { column = $2; sub(/:/, "", column)
+    /^# [0-9]+: .*(energy$|momentum)/ { column = $2; sub(/:/, "", column)
                                        columns[column] = 1; next }
     /^#/ { next }
     FNR == NR { for (c in columns) { value[$1, c] = $c
@@ -40,10 +44,26 @@ same() {
     END { if (m != n + 1 || m < 10) exit 1 }' \
     "$1/statistics.txt" "$2/statistics.txt"
 }
-for method in alpha ida; do
+for method in alpha conserving ida; do
   check "$method differs on 2 ranks" same $method-1 $method-2
   check "$method differs on 4 ranks" same $method-1 $method-4
 done
+
+# The charge grows from zero and does work; beyond that the energy is constant,
+# from the beginning through the first contact.
+balanced() {
+  awk '
+    /^# [0-9]+: energy balance/ { balance = $2; sub(/:/, "", balance); next }
+    /^# [0-9]+: total energy/ { total = $2; sub(/:/, "", total); next }
+    /^#/ { next }
+    { ++n
+      if ($balance > largest) largest = $balance
+      if (-$balance > largest) largest = -$balance
+      if (-$total > scale) scale = -$total }
+    END { if (n < 10 || !(scale > 0.1) || !(largest < 1e-7 * scale)) exit 1 }' \
+    "$1/statistics.txt"
+}
+check "the energy is not conserved" balanced conserving-1
 
 # A support whose formula ends in the middle of the run.
 cp "$here/two_fibers.prm" .

@@ -190,6 +190,86 @@ TEST(Motion, KeepsTheEnergyOfALargeVibrationToSecondOrder)
 
 
 
+TEST(Motion, KeepsTheEnergyOfALargeVibrationInLargeStepsIfTold)
+{
+  std::vector<double> deviations;
+  for (const std::string integrator :
+       {"generalized-alpha", "energy-conserving"})
+    {
+      const Motions motion(rod + clamp,
+                           {first_mode("0.7"),
+                            "fibers/rod/cells=4",
+                            "fibers/rod/youngs modulus=1.2732395447351628e4",
+                            "fibers/rod/radius=0.1",
+                            "fibers/rod/density=31.83098861837907",
+                            "dynamics/integrator=" + integrator,
+                            "dynamics/rho infinity=1",
+                            "dynamics/end time=4",
+                            "dynamics/time step=0.02"});
+      deviations.push_back(deviation(motion.records, total_energy) /
+                           motion.last().motion->total_energy);
+    }
+  EXPECT_GT(deviations[0], 5e-4);
+  EXPECT_LT(deviations[1], 1e-8);
+}
+
+
+
+// A force whose energy changes with time, a force and a moment along the fiber:
+// what they do is the change of energy.
+TEST(Motion, TakesTheEnergyThatItsLoadsGive)
+{
+  const std::string more = R"(
+subsection loads
+  set names = tip, line
+  subsection tip
+    set force  = 0; 3*sin(4*t); 0
+    set moment = 0; 0; 2*t
+  end
+  subsection line
+    set at    = all
+    set force = t; -2*min(t/0.5, 1); 0
+  end
+end
+)";
+  const Motions     motion(rod + clamp + more,
+                       {"dynamics/integrator=energy-conserving",
+                            "dynamics/rho infinity=1",
+                            "dynamics/end time=1",
+                            "dynamics/time step=0.01"});
+  EXPECT_LT(deviation(motion.records,
+                      [](const StepRecord &record) {
+                        return record.motion->balance();
+                      }),
+            1e-8);
+  EXPECT_GT(deviation(motion.records, total_energy), .1);
+}
+
+
+
+TEST(Motion, RepeatsAStepWithTooLargeAnErrorOfTheEnergy)
+{
+  const Overrides  scene     = {first_mode("0.7"),
+                                "fibers/rod/cells=4",
+                                "fibers/rod/youngs modulus=1.2732395447351628e4",
+                                "fibers/rod/radius=0.1",
+                                "fibers/rod/density=31.83098861837907",
+                                "dynamics/rho infinity=1",
+                                "dynamics/end time=0.5",
+                                "dynamics/time step=0.02"};
+  constexpr double tolerance = 1e-5;
+  const Motions    motion(rod + clamp,
+                       scene + Overrides{"dynamics/energy tolerance=" +
+                                         std::to_string(tolerance)});
+  EXPECT_GT(motion.summary.n_rejected_steps, 0u);
+  for (unsigned int i = 1; i < motion.records.size(); ++i)
+    EXPECT_LE(std::abs(total_energy(motion.records[i]) -
+                       total_energy(motion.records[i - 1])),
+              tolerance * (1. + 1e-8));
+}
+
+
+
 TEST(Motion, OfAFreeFiberKeepsItsMomenta)
 {
   // It flies, turns about z, and vibrates.

@@ -41,9 +41,12 @@ namespace
   }
 
   GeneralizedAlpha
-  method(Oscillator &system, const double rho_infinity)
+  method(Oscillator        &system,
+         const double       rho_infinity,
+         const std::string &integrator = "generalized-alpha")
   {
     DynamicsParameters dynamics;
+    dynamics.integrator   = integrator;
     dynamics.rho_infinity = rho_infinity;
     dynamics.damping      = system.damping;
     return GeneralizedAlpha(
@@ -58,10 +61,12 @@ namespace
   integrate(Oscillator                &system,
             const double               rho_infinity,
             const double               end,
-            const std::vector<double> &sizes)
+            const std::vector<double> &sizes,
+            const std::string         &integrator = "generalized-alpha")
   {
-    GeneralizedAlpha generalized_alpha = method(system, rho_infinity);
-    double           time              = 0.;
+    GeneralizedAlpha generalized_alpha =
+      method(system, rho_infinity, integrator);
+    double time = 0.;
     for (unsigned int i = 0; time < end - 1e-9; ++i)
       {
         const double h = sizes[i % sizes.size()];
@@ -75,11 +80,14 @@ namespace
 
   /** Errors of displacement and velocity at time 3. */
   std::array<double, 2>
-  errors(const double rho_infinity, const std::vector<double> &sizes)
+  errors(const double               rho_infinity,
+         const std::vector<double> &sizes,
+         const std::string         &integrator = "generalized-alpha")
   {
     Oscillator   system = shaken_oscillator();
-    const Motion motion = integrate(system, rho_infinity, 3., sizes);
-    const auto   exact  = system.exact(3.);
+    const Motion motion =
+      integrate(system, rho_infinity, 3., sizes, integrator);
+    const auto exact = system.exact(3.);
     return {{std::abs(motion.displacement(0) - exact[0]),
              std::abs(motion.velocity(0) - exact[1])}};
   }
@@ -147,6 +155,61 @@ TEST(GeneralizedAlpha, KeepsTheEnergyOfALinearVibrationWithoutNumericalDamping)
       const Motion motion = integrate(system, 1., .1 * n, {.1});
       const double x = motion.displacement(0), v = motion.velocity(0);
       EXPECT_NEAR(.5 * v * v + 2. * x * x, 2., 1e-10);
+    }
+}
+
+
+
+// Steps so large that the trapezoidal rule is visibly wrong; the load is no
+// part of the energy and does work.
+TEST(GeneralizedAlpha, KeepsTheEnergyOfALargeVibrationIfTold)
+{
+  Oscillator system;
+  system.stiffness                = 1.;
+  system.hardening                = 20.;
+  system.load                     = 1.;
+  system.initial_displacement     = 1.;
+  const std::vector<double> sizes = {.2, .1, .15};
+  std::vector<double>       deviations;
+  for (const std::string integrator :
+       {"generalized-alpha", "energy-conserving"})
+    {
+      GeneralizedAlpha step = method(system, 1., integrator);
+      double           time = 0., x = 1., force = 1., work = 0., largest = 0.;
+      for (unsigned int i = 0; i < 60; ++i)
+        {
+          const double h = sizes[i % sizes.size()];
+          time += h;
+          ASSERT_TRUE(step.try_step(system, time, h).converged);
+          step.accept();
+          const double new_x     = step.motion().displacement(0),
+                       new_force = std::cos(time),
+                       v         = step.motion().velocity(0);
+          work += .5 * (force + new_force) * (new_x - x);
+          x     = new_x;
+          force = new_force;
+          const double energy =
+            .5 * v * v + .5 * x * x + 5. * x * x * x * x - work;
+          largest = std::max(largest, std::abs(energy / 5.5 - 1.));
+        }
+      deviations.push_back(largest);
+    }
+  EXPECT_GT(deviations[0], .05);
+  EXPECT_LT(deviations[1], 1e-10);
+}
+
+
+
+TEST(GeneralizedAlpha, ConvergesWithOrderTwoIfItConservesEnergy)
+{
+  for (const double rho : {0., .5, .9, 1.})
+    {
+      SCOPED_TRACE(rho);
+      const double h      = 3. / 400.;
+      const auto   coarse = errors(rho, {h}, "energy-conserving"),
+                 fine     = errors(rho, {.5 * h}, "energy-conserving");
+      for (const unsigned int i : {0, 1})
+        EXPECT_NEAR(std::log2(coarse[i] / fine[i]), 2., .15);
     }
 }
 
@@ -284,6 +347,24 @@ TEST(TimeStepping, FollowsTheErrorWithinItsBounds)
   while (steps.reject({1e6, 0.}))
     EXPECT_GE(steps.step_size(), 1e-5);
   EXPECT_EQ(steps.step_size(), 1e-5);
+}
+
+
+
+TEST(TimeStepping, LeavesEqualStepsWhereTheEnergyIsTooWrong)
+{
+  DynamicsParameters parameters;
+  parameters.time_step = .1;
+  TimeStepping steps(parameters);
+  // Of second order in the size of the step.
+  EXPECT_FALSE((StepMeasure{0., 0., 1.01}).is_acceptable());
+  ASSERT_TRUE(steps.reject({0., 0., 9.}));
+  EXPECT_NEAR(steps.step_size(), .03, 1e-15);
+  steps.accept({0., 0., .5});
+  EXPECT_NEAR(steps.step_size(), .03 * .9 * std::sqrt(2.), 1e-15);
+  steps.accept({0., 0., 1e-6});
+  steps.accept({0., 0., 1e-6});
+  EXPECT_EQ(steps.step_size(), .1);
 }
 
 

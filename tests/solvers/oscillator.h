@@ -47,6 +47,13 @@ namespace Setae::Test
       return result;
     }
 
+    double
+    add_force(const Vector &more) override
+    {
+      force += more;
+      return std::abs(force(0));
+    }
+
     bool
     solve(const Vector &right_hand_side, Vector &result) override
     {
@@ -134,6 +141,18 @@ namespace Setae::Test
     support_power(const Motion &motion) override
     {
       return force(1) * motion.velocity(1);
+    }
+
+    std::vector<ExternalWork>
+    external_work(const Motion &motion, const double time) override
+    {
+      return {{load * std::cos(time), motion.displacement(0)}};
+    }
+
+    double
+    sum(const double value) const override
+    {
+      return value;
     }
 
     /** Not for motions. */

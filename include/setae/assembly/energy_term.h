@@ -6,6 +6,7 @@
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
+#include <setae/assembly/external_work.h>
 #include <setae/assembly/global_system.h>
 #include <setae/interactions/line_sites.h>
 #include <setae/interactions/resultant.h>
@@ -90,6 +91,18 @@ namespace Setae
     has_potential() const
     {
       return true;
+    }
+
+    /**
+     * Append what works from outside on the fibers of this rank, in @p state,
+     * which is that of the last assemble(): whatever makes the sum of this
+     * energy and the kinetic one change.
+     */
+    virtual void
+    add_external_work(const State &state, std::vector<ExternalWork> &work) const
+    {
+      (void)state;
+      (void)work;
     }
 
     /** The gaps on this rank that the last assemble() saw. */

@@ -53,6 +53,11 @@ namespace Setae
              const Request request,
              GlobalSystem &system) override;
 
+    /** Of the formulas of the forces, and of the moments. */
+    void
+    add_external_work(const State               &state,
+                      std::vector<ExternalWork> &work) const override;
+
   private:
     /** A point of an owned cell and its weight, 1 or an arc length. */
     struct Site

@@ -33,11 +33,29 @@ namespace Setae
     /** What the supports have done on the fibers since time 0 [energy]. */
     double support_work = 0.;
 
+    /**
+     * What loads and interactions have done by their formulas of time since
+     * time 0 [energy]. The energy of a dead force is among those of all terms:
+     * that one works only as its formula changes.
+     */
+    double external_work = 0.;
+
     /** What the viscous damping has taken away since time 0 [energy]. */
     double dissipation = 0.;
 
     /** The sum of the energies of all terms and of the kinetic one [energy]. */
     double total_energy = 0.;
+
+    /**
+     * The total energy, with what has been taken out and without what has come
+     * in since time 0 [energy]: it stays what it is but for errors of the time
+     * integration and for its numerical damping.
+     */
+    double
+    balance() const
+    {
+      return total_energy + dissipation - support_work - external_work;
+    }
   };
 
 

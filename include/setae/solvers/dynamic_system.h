@@ -4,6 +4,7 @@
 #ifndef setae_solvers_dynamic_system_h
 #define setae_solvers_dynamic_system_h
 
+#include <setae/assembly/external_work.h>
 #include <setae/assembly/momenta.h>
 #include <setae/base/local_system.h>
 #include <setae/solvers/nonlinear_system.h>
@@ -43,6 +44,15 @@ namespace Setae
                     const double  mass_factor,
                     const double  time,
                     const Request request) = 0;
+
+    /**
+     * Add @p force to the residual of the last evaluation, and to the right-hand
+     * side of its linear system.
+     *
+     * @return The norm of the new residual of the free unknowns [force].
+     */
+    virtual double
+    add_force(const Vector &force) = 0;
 
     /** The residual of the last evaluation; reactions at the supports. */
     virtual const Vector &
@@ -97,6 +107,17 @@ namespace Setae
      */
     virtual double
     support_power(const Motion &motion) = 0;
+
+    /**
+     * What works from outside on the fibers of this rank, in the state
+     * evaluated last: loads and interactions whose formulas depend on time.
+     */
+    virtual std::vector<ExternalWork>
+    external_work(const Motion &motion, const double time) = 0;
+
+    /** The sum over all ranks. */
+    virtual double
+    sum(const double value_of_rank) const = 0;
   };
 } // namespace Setae
 

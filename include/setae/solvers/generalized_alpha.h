@@ -24,6 +24,18 @@ namespace Setae
    * spectral radius at infinity. With the value one it is the trapezoidal rule,
    * which keeps the energy of linear systems.
    *
+   * *Conservation.* The mean force of both ends does not do the work that the
+   * potential energy gives: with @f$d=X_{n+1}-X_n@f$ it misses
+   * @f[ \delta = \Pi_{n+1}-\Pi_n-\tfrac12(R_n+R_{n+1})\cdot d, @f]
+   * of third order, but of second where a contact begins. The integrator
+   * 'energy-conserving' adds the force @f$\lambda Md,\ \lambda=\delta/(d\cdot
+   * Md)@f$ during the step, as Gonzalez (1996) does in his discrete gradient. It
+   * takes @f$\tfrac12h^2\lambda d@f$ from Newmark's displacement and
+   * @f$h\lambda d@f$ from the velocity; the balance at the end of the step stays
+   * what it is. With the spectral radius one the energy is then constant
+   * whatever the step; below one, only the numerical damping changes it. The
+   * order remains two.
+   *
    * Prescribed entries take displacement, velocity and acceleration of their
    * formulas; Newmark's formulas would let their accelerations oscillate.
    */
@@ -31,6 +43,15 @@ namespace Setae
   {
   public:
     using Vector = NonlinearSystem::Vector;
+
+    /** What a conservative step needs to know of the state at one of its ends.
+     */
+    struct Potential
+    {
+      double                    energy = 0.;   ///< of all terms
+      Vector                    force;         ///< R, without inertia
+      std::vector<ExternalWork> external_work; ///< of this rank
+    };
 
     /** The constants of the method. */
     struct Coefficients
@@ -62,6 +83,13 @@ namespace Setae
     motion() const
     {
       return last;
+    }
+
+    /** The state that the step tried last has found. */
+    const Motion &
+    trial() const
+    {
+      return next;
     }
 
     /**
@@ -111,6 +139,10 @@ namespace Setae
     Vector
     rate(const Motion &motion) const;
 
+    /** Evaluate the state at the beginning of the first step. */
+    void
+    evaluate_first(DynamicSystem &system, const double time);
+
     /** The derivatives by the displacement at the end of the step. */
     double
     auxiliary_factor() const;
@@ -121,11 +153,14 @@ namespace Setae
 
     const Coefficients coefficients;
     const double       damping;
+    const bool         conserves_energy;
     const Newton       newton;
 
     Motion last, next;
     Vector last_auxiliary, next_auxiliary;
     double step_size = 0., last_step_size = 0.;
+
+    Potential last_potential, next_potential; ///< only to conserve energy
   };
 } // namespace Setae
 

@@ -31,8 +31,8 @@ namespace Setae
   {
   public:
     /**
-     * Called at the end of each interval, and after each 500 steps of IDA within
-     * one, with the linear systems solved since the last call.
+     * Called at the end of each interval, and after each 500 steps of IDA
+     * within one, with the linear systems solved since the last call.
      */
     using Visit = std::function<
       void(const double, const Motion &, const unsigned int n_solved)>;

@@ -14,10 +14,13 @@ namespace Setae
     double error        = 0.; ///< that of the step, of third order in its size
     double displacement = 0.; ///< the largest one, of first order
 
+    /** The error of its balance, of second order where a contact begins. */
+    double energy = 0.;
+
     bool
     is_acceptable() const
     {
-      return error <= 1. && displacement <= 1.;
+      return error <= 1. && displacement <= 1. && energy <= 1.;
     }
   };
 
