@@ -21,7 +21,7 @@ set format y '10^{%T}'
 do for [c=1:4] {
   set yrange [1e-5:1e2]
   set title cases[c]
-  set xlabel c <= 2 ? 'shift / R, of fibers of 10 R' : 'overhang / R'
+  set xlabel (c <= 2 ? 'shift / R, of fibers of 10 R' : 'overhang / R')
   set ylabel 'relative error, '.quantities[c]
   plot for [i=1:6] rows(cases[c], methods[i]) using 7:(abs(column(fields[c]))) \
          with linespoints pointsize .8 pointtype i linecolor i title titles[i]
