@@ -29,6 +29,7 @@ namespace Setae
       double      angle     = 0.; ///< degrees
       double      offset    = 0.; ///< along the fibers, over R
       double      curvature = 0.; ///< times R
+      double      radius_2  = 1.; ///< of the target, over R
 
       /** Whether the gap is a power of ten; CPU times are measured there. */
       bool
