@@ -25,9 +25,11 @@ namespace Setae
     {
       std::string configuration;
       std::string potential;
-      double      gap;         ///< over R
-      double      angle  = 0.; ///< degrees
-      double      offset = 0.; ///< along the fibers, over R
+      double      gap;            ///< over R
+      double      angle     = 0.; ///< degrees
+      double      offset    = 0.; ///< along the fibers, over R
+      double      curvature = 0.; ///< times R
+      double      radius_2  = 1.; ///< of the target, over R
 
       /** Whether the gap is a power of ten; CPU times are measured there. */
       bool

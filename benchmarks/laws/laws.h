@@ -66,6 +66,16 @@ namespace Setae
 
     constexpr double sum_of_radii = 2.;
 
+    /** A source of radius and densities of one beside targets of these radii.
+     */
+    const std::vector<double> unequal_radii = {.1, .3, 3., 10.};
+
+    inline SectionPair
+    sections_with(const double radius_2)
+    {
+      return {1., radius_2, 1., 1., Distribution::volume};
+    }
+
 
 
     namespace internal

@@ -104,7 +104,7 @@ namespace Setae
         std::ofstream csv(file_name);
         csv
           << "configuration,potential,method,resolution,gap/R,angle,offset/R,energy,"
-             "force,energy error,force error,CPU time [s]\n";
+             "force,energy error,force error,CPU time [s],curvature*R,R2/R\n";
         csv.precision(10);
         for (const Row &row : rows)
           csv << row.place.configuration << ',' << row.place.potential << ','
@@ -112,7 +112,8 @@ namespace Setae
               << ',' << row.place.angle << ',' << row.place.offset << ','
               << row.value.energy << ',' << row.value.force << ','
               << row.energy_error << ',' << row.force_error << ','
-              << row.cpu_time << '\n';
+              << row.cpu_time << ',' << row.place.curvature << ','
+              << row.place.radius_2 << '\n';
       }
 
       /**

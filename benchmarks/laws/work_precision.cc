@@ -44,24 +44,29 @@ namespace Setae
 
       References::EnergyAndForce
       reduced(const InversePower &power,
-              const double        gap,
+              const Place        &place,
               const double        tolerance)
       {
-        return References::crossing_cylinders(
-          power, equal_sections(), gap, radians(), tolerance);
+        return References::crossing_cylinders(power,
+                                              sections_with(place.radius_2),
+                                              place.gap,
+                                              radians(),
+                                              tolerance);
       }
 
 
 
       /** A straight fiber, long enough for an error of the energy of 1e-4. */
       SolidBody
-      solid_cylinder(const Tensor<1, 3> &middle, const Tensor<1, 3> &t)
+      solid_cylinder(const Tensor<1, 3> &middle,
+                     const Tensor<1, 3> &t,
+                     const double        radius)
       {
         constexpr double                 length = 60.;
         const Tensor<1, 3>               half   = .5 * length * t;
         const std::vector<HermiteCell<>> line   = {
             {{{middle - half, t, middle + half, t}}, length}};
-        return SolidBody(FiberChart(line, line, 1.),
+        return SolidBody(FiberChart(line, line, radius),
                          Distribution::volume,
                          MPI_COMM_SELF);
       }
@@ -69,14 +74,18 @@ namespace Setae
       /** @param n_points Gauss points in each direction of the closest cells. */
       Interaction
       hierarchical(const PointPotential &potential,
-                   const double          gap,
+                   const Place          &place,
                    const unsigned int    n_points)
       {
-        SolidBody source =
-          solid_cylinder(Tensor<1, 3>({0., 0., gap + sum_of_radii}),
-                         Tensor<1, 3>({1., 0., 0.}));
-        SolidBody target = solid_cylinder(
-          {}, Tensor<1, 3>({std::cos(radians()), std::sin(radians()), 0.}));
+        const double distance = place.gap + 1. + place.radius_2;
+        SolidBody    source   = solid_cylinder(Tensor<1, 3>({0., 0., distance}),
+                                          Tensor<1, 3>({1., 0., 0.}),
+                                          1.);
+        SolidBody    target =
+          solid_cylinder({},
+                         Tensor<1, 3>(
+                           {std::cos(radians()), std::sin(radians()), 0.}),
+                         place.radius_2);
         FullQuadratureParameters parameters;
         parameters.tolerance    = 1e-15;
         parameters.max_n_points = n_points;
@@ -92,6 +101,7 @@ namespace Setae
       sites(const double       turn,
             const double       height,
             const double       width,
+            const double       radius,
             const unsigned int n_points)
       {
         const dealii::QGauss<1>                      gauss(n_points);
@@ -100,14 +110,14 @@ namespace Setae
           for (unsigned int i = 0; i < n_points; ++i)
             for (unsigned int j = 0; j < n_points; ++j)
               {
-                const double s = width * x, r = gauss.point(i)[0];
+                const double s = width * x, r = radius * gauss.point(i)[0];
                 const double phi = 2. * M_PI * (j + .5) / n_points;
                 const double y   = r * std::cos(phi);
                 result.push_back(
                   {Tensor<1, 3>({s * std::cos(turn) - y * std::sin(turn),
                                  s * std::sin(turn) + y * std::cos(turn),
                                  height + r * std::sin(phi)}),
-                   width * weight * gauss.weight(i) * r * 2. * M_PI /
+                   width * weight * radius * gauss.weight(i) * r * 2. * M_PI /
                      n_points});
               }
         return result;
@@ -119,16 +129,17 @@ namespace Setae
        */
       Interaction
       plain(const PointPotential &potential,
-            const double          gap,
+            const Place          &place,
             const unsigned int    n_points)
       {
-        const double width =
-          peak_width(gap, sum_of_radii) / std::sin(radians());
+        const double radii = 1. + place.radius_2;
+        const double width = peak_width(place.gap, radii) / std::sin(radians());
         const PointLaw law(potential);
-        const auto     targets = sites(radians(), 0., width, n_points);
-        Interaction    sum;
+        const auto     targets =
+          sites(radians(), 0., width, place.radius_2, n_points);
+        Interaction sum;
         for (const auto &[r1, w1] :
-             sites(0., gap + sum_of_radii, width, n_points))
+             sites(0., place.gap + radii, width, 1., n_points))
           for (const auto &[r2, w2] : targets)
             {
               const Tensor<1, 3> d = r1 - r2;
@@ -142,19 +153,19 @@ namespace Setae
 
       /** All methods with the number of their points or their tolerance. */
       std::vector<Method>
-      methods(const PointPotential &potential)
+      methods(const PointPotential &potential, const double radius_2)
       {
         std::vector<Method> result;
         for (const unsigned int n : {1, 2, 3, 4})
           result.push_back({hierarchical_integral,
                             [=](const Place &place) {
-                              return hierarchical(potential, place.gap, n);
+                              return hierarchical(potential, place, n);
                             },
                             std::to_string(n)});
         for (const unsigned int n : {8, 16, 32})
           result.push_back(
             {plain_integral,
-             [=](const Place &place) { return plain(potential, place.gap, n); },
+             [=](const Place &place) { return plain(potential, place, n); },
              std::to_string(n)});
         for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8})
           result.push_back(
@@ -162,17 +173,20 @@ namespace Setae
              [=](const Place &place) {
                return ExactPowers(
                         [&](const InversePower &power) {
-                          return reduced(power, place.gap, tolerance);
+                          return reduced(power, place, tolerance);
                         },
                         false)(potential)
                  .value;
              },
              short_text(tolerance)});
         for_each_law(potential,
-                     equal_sections(),
+                     sections_with(radius_2),
                      [&](const std::string &name, const auto &law) {
                        for (const auto &[n_points, range] : {std::pair{1, 2},
+                                                             std::pair{1, 3},
                                                              std::pair{1, 4},
+                                                             std::pair{2, 2},
+                                                             std::pair{2, 3},
                                                              std::pair{2, 4},
                                                              std::pair{3, 5},
                                                              std::pair{5, 8}})
@@ -183,7 +197,7 @@ namespace Setae
                               [=](const Place &place) {
                                 return CrossingFibers(place.gap,
                                                       radians(),
-                                                      sum_of_radii)(law, rule);
+                                                      1. + radius_2)(law, rule);
                               },
                               std::to_string(rule.nodes.size())});
                          }
@@ -195,22 +209,33 @@ namespace Setae
       evaluate()
       {
         Results results;
-        for (const NamedPotential &potential :
-             {van_der_waals(), lennard_jones()})
-          for (const double gap : gaps)
-            {
-              const Place place = {"crossing cylinders at g/R = " +
-                                     short_text(gap),
-                                   potential.name,
-                                   gap,
-                                   angle};
-              const Exact exact = ExactPowers(
-                [&](const InversePower &power) {
-                  return reduced(power, gap, 1e-10);
-                },
-                false)(potential.powers);
-              results.add(place, exact, methods(potential.powers), true);
-            }
+        for (const NamedPotential &potential : short_range_potentials())
+          for (const double radius_2 : {1., .3, 3.})
+            for (const double gap : gaps)
+              {
+                // Other radii once only
+                if (radius_2 != 1. &&
+                    (potential.name != van_der_waals().name || gap != gaps[0]))
+                  continue;
+                const Place place = {"crossing cylinders: R2/R1 = " +
+                                       short_text(radius_2) +
+                                       " at g/R = " + short_text(gap),
+                                     potential.name,
+                                     gap,
+                                     angle,
+                                     0.,
+                                     0.,
+                                     radius_2};
+                const Exact exact = ExactPowers(
+                  [&](const InversePower &power) {
+                    return reduced(power, place, 1e-10);
+                  },
+                  false)(potential.powers);
+                results.add(place,
+                            exact,
+                            methods(potential.powers, radius_2),
+                            true);
+              }
         return results;
       }
 
@@ -222,7 +247,8 @@ namespace Setae
 
       /**
        * The CPU time of a method with the fewest points that reach an error of
-       * energy and force, for van der Waals; infinity if none do.
+       * energy and force, for van der Waals and equal radii; infinity if none
+       * do.
        */
       double
       time_for(const Results     &results,
@@ -234,7 +260,7 @@ namespace Setae
         for (const Row &row : results.all())
           if (row.method == method && row.place.gap == gap &&
               row.place.potential == van_der_waals().name &&
-              error(row) <= largest_error)
+              row.place.radius_2 == 1. && error(row) <= largest_error)
             result = std::min(result, row.cpu_time);
         return result;
       }
@@ -244,29 +270,37 @@ namespace Setae
       {
         const std::string table = TabulatedDiskCylinder::name;
         Comparison        comparison;
+        const auto        over = [&](const std::string &method,
+                              const std::string &cheaper,
+                              const double       gap,
+                              const double       error,
+                              const Requirement &requirement) {
+          comparison.add({"g/R = " + short_text(gap) + ", error " +
+                            short_text(error) + ": CPU time of " + method +
+                            " over " + cheaper,
+                          Comparison::none,
+                          time_for(results, method, gap, error) /
+                            time_for(results, cheaper, gap, error),
+                          requirement});
+        };
+
+        // Both at the error that the plain quadrature reaches
         for (const Row &row : results.all())
           if (row.method == plain_integral && row.resolution == "32" &&
-              row.place.potential == van_der_waals().name)
-            comparison.add(
-              {"g/R = " + short_text(row.place.gap) + ", error " +
-                 short_text(error(row)) + ": CPU time of plain 6D over table",
-               Comparison::none,
-               row.cpu_time /
-                 time_for(results, table, row.place.gap, error(row)),
-               Requirement::at_least(smallest_ratio)});
-        for (const double gap : gaps)
-          for (const double error : {1e-1, 1e-2, 1e-3})
+              row.place.potential == van_der_waals().name &&
+              row.place.radius_2 == 1.)
             {
-              const std::string at = "g/R = " + short_text(gap) + ", error " +
-                                     short_text(error) +
-                                     ": CPU time of hierarchical 6D over ";
-              const double time =
-                time_for(results, hierarchical_integral, gap, error);
-              for (const std::string &method : {table, reduction})
-                comparison.add({at + method,
-                                Comparison::none,
-                                time / time_for(results, method, gap, error)});
+              over(plain_integral,
+                   table,
+                   row.place.gap,
+                   error(row),
+                   Requirement::at_least(smallest_ratio));
+              over(hierarchical_integral, table, row.place.gap, error(row), {});
             }
+        for (const double gap : gaps)
+          for (const double error : {1e-2, 1e-3})
+            for (const std::string &cheaper : {table, reduction})
+              over(hierarchical_integral, cheaper, gap, error, {});
         return comparison;
       }
 

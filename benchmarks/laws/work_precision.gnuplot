@@ -17,8 +17,8 @@ set yrange [1e-7:1e2]
 array methods[9] = ['6D plain', '6D hierarchical', 'disk-disk', 'offset-disks', 'disk-cylinder', 'oriented-disk-cylinder', 'section-quadrature 4 x 9', 'section-quadrature 12 x 24', 'tabulated-disk-cylinder']
 array titles[9] = ['6D plain', '6D hierarchical', 'SSIP', 'ISSIP', 'SBIP', 'closed form', '4 x 9', '12 x 24', 'tabulated']
 rows(gap, potential, method) = sprintf( \
-  "< awk -F, '$5 == %g && $2 == \"%s\" && $3 == \"%s\"' work_precision.csv", gap, potential, method)
-do for [potential in "'van der Waals' 'Lennard-Jones'"] {
+  "< awk -F, '$14 == 1 && $5 == %g && $2 == \"%s\" && $3 == \"%s\"' work_precision.csv", gap, potential, method)
+do for [potential in "'van der Waals' 'steric'"] {
   do for [gap in '0.1 0.01'] {
     set title potential.', g/R = '.gap
     plot for [i=1:9] rows(gap + 0, potential, methods[i]) using 12:(abs($10)) \

@@ -181,8 +181,10 @@ namespace Setae
         const FullQuadrature &full = beam.full;
         if (!std::isfinite(full.error))
           {
-            std::cout << geometry.name << ", m = " << m << ", gap " << gap
-                      << ": not affordable with 1e6 cells and 3e10 pairs\n";
+            std::cout
+              << geometry.name << ", m = " << m << ", gap " << gap
+              << ": stops being affordable here, more than 1e6 cells or "
+                 "3e10 pairs of points (one minute)\n";
             return;
           }
 

@@ -230,11 +230,29 @@ namespace Setae
                                 const Interval     &cylinder,
                                 const double        tolerance)
     {
-      const double R1 = sections.radius_1, R2 = sections.radius_2;
+      const double        R1 = sections.radius_1, R2 = sections.radius_2;
+      const Tensor<1, 3> &n = disk.normal;
+
+      // Face to face with the end: a stack of facing disks.
+      const double before       = std::max(cylinder.begin - disk.center[2],
+                                     disk.center[2] - cylinder.end);
+      const double displacement = std::hypot(disk.center[0], disk.center[1]);
+      if (std::hypot(n[0], n[1]) < 1e-14 && before > 0. &&
+          displacement < R1 + R2)
+        {
+          const SegmentIntegral stack(power.exponent);
+          const Interval z = {before, before + (cylinder.end - cylinder.begin)};
+          return power.prefactor *
+                 integrate_over_facing_disks(
+                   [&](const double v) { return stack(v, z); },
+                   sections,
+                   before,
+                   displacement,
+                   tolerance);
+        }
 
       // In the plane of the disk: one axis normal to z, the other one rising.
-      const Tensor<1, 3> &n = disk.normal;
-      Tensor<1, 3>        e({-n[1], n[0], 0.});
+      Tensor<1, 3> e({-n[1], n[0], 0.});
       if (e.norm() < 1e-12)
         e = Tensor<1, 3>({1., 0., 0.});
       e /= e.norm();

@@ -8,6 +8,7 @@
 #include <setae/verification/disk_cylinder.h>
 
 #include <cmath>
+#include <limits>
 
 #include "agreement.h"
 
@@ -206,19 +207,77 @@ TEST(ReferenceDisks, ForceDoesTheWork)
 
 
 
-TEST(ReferenceDisks, FacingDisksAgreeWithAnyPose)
+// Exactly parallel disks are integrated over their overlap, those that are
+// turned by a little are not.
+TEST(ReferenceDisks, FacingDisksAreTheLimitOfAnyPose)
 {
-  const Tensor<1, 3> z({0., 0., 1.});
+  const double       turn = 1e-6;
+  const Tensor<1, 3> z({0., 0., 1.}),
+    turned({std::sin(turn), 0., std::cos(turn)});
+  const Tensor<1, 3> direction({.6, 0., .8});
   for (const unsigned int m : {1, 6})
     for (const double ratio : {1., .5})
       for (const double displacement : {0., 1.2})
         {
-          const Disk second = {Tensor<1, 3>({displacement, 0., -.1}), z};
+          const Tensor<1, 3> center({displacement, 0., -.3});
+          const auto         exact =
+            disks({m, 1.}, sections(ratio), first, {center, z}, direction);
+          const auto limit = disks(
+            {m, 1.}, sections(ratio), first, {center, turned}, direction, 1e-7);
+          expect_agreement(limit, exact, 2e-5);
           expect_agreement(
-            disks({m, 1.}, sections(ratio), first, second, z, 1e-8),
-            facing_disks({m, 1.}, sections(ratio), .1, displacement),
-            1e-8);
+            exact.energy,
+            facing_disks({m, 1.}, sections(ratio), .3, displacement).energy,
+            1e-14);
         }
+}
+
+
+
+TEST(ReferenceDisks, SidewaysForceDoesTheWork)
+{
+  const unsigned int m = 6;
+  for (const double ratio : {1., .5})
+    expect_work(
+      [&](const double displacement) {
+        return EnergyAndForce{
+          facing_disks({m, 1.}, sections(ratio), .1, displacement).energy,
+          sideways_force_of_facing_disks(
+            {m, 1.}, sections(ratio), .1, displacement)};
+      },
+      .8,
+      1.2);
+}
+
+
+
+// Face to face with the end of a cylinder: disk by disk, also of equal radii.
+TEST(ReferenceDisks, ADiskBeforeAnEndIsAStackOfFacingDisks)
+{
+  const double       infinity = std::numeric_limits<double>::infinity();
+  const unsigned int m        = 6;
+  for (const double displacement : {0., .9})
+    {
+      const Disk disk = {Tensor<1, 3>({displacement, 0., .1}),
+                         Tensor<1, 3>({0., 0., 1.})};
+      expect_agreement(energy_of_disk_and_cylinder(
+                         {m, 1.}, sections(1.), disk, Interval{-infinity, 0.}),
+                       integrate_peak(
+                         [&](const double h) {
+                           return facing_disks({m, 1.},
+                                               sections(1.),
+                                               h,
+                                               displacement)
+                             .energy.value;
+                         },
+                         .1,
+                         infinity,
+                         .1,
+                         .1,
+                         1e-9,
+                         100.),
+                       1e-8);
+    }
 }
 
 

@@ -83,6 +83,30 @@ namespace Setae
                  double              displacement,
                  double              tolerance = default_tolerance);
 
+    /**
+     * Minus the derivative of their energy with respect to the displacement:
+     * the force that pushes them apart in their planes.
+     */
+    Estimate
+    sideways_force_of_facing_disks(const InversePower &power,
+                                   const SectionPair  &sections,
+                                   double              distance,
+                                   double              displacement,
+                                   double tolerance = default_tolerance);
+
+    /**
+     * The integral over two facing disks of a function of the distance of two
+     * points in the direction of the planes, with densities.
+     *
+     * @param f A function that decays from the @p distance of the planes on.
+     */
+    Estimate
+    integrate_over_facing_disks(const Function    &f,
+                                const SectionPair &sections,
+                                double             distance,
+                                double             displacement,
+                                double             tolerance);
+
 
 
     /** A disk in space. */
@@ -96,9 +120,9 @@ namespace Setae
      * Two disks at any position and orientation that do not touch, per length
      * squared, and the force on the first disk in the direction @p direction.
      * What is left of the four-dimensional integral is a three-dimensional one
-     * around the point of a disk that is nearest to the other one. Where two
-     * faces are parallel and close there is no such point; then facing_disks()
-     * is much faster.
+     * around the point of a disk that is nearest to the other one. Two parallel
+     * disks that face each other have no such point; they are facing_disks().
+     * Almost parallel and close, they are slow.
      *
      * Positions have the round-off of their largest coordinate; divided by the
      * gap and multiplied by the exponent it is the relative error that no
