@@ -2,10 +2,8 @@
 // Copyright (C) 2026 The Setae authors
 
 #include <setae/assembly/far_field.h>
-#include <setae/assembly/interaction_kernel.h>
 #include <setae/assembly/interaction_points.h>
-#include <setae/assembly/interaction_roles.h>
-#include <setae/base/exceptions.h>
+#include <setae/assembly/section_kernels.h>
 #include <setae/search/neighbor_list.h>
 
 #include <map>
@@ -31,14 +29,14 @@ namespace Setae
                    parameters.strength,
                    "t",
                    fibers.scene.constants)
-        , reach(make_kernels())
+        , kernels(fibers, parameters, roles)
         , points(fibers,
                  parameters,
                  rule,
                  is_projected<Law>,
                  Law::is_long_range,
-                 reach)
-        , neighbors(reach, skin())
+                 kernels.largest_reach)
+        , neighbors(kernels.largest_reach, skin())
       {
         for (const unsigned int cell : fibers.owned_cells)
           if (roles.may_be_source(fibers.fiber_of_cell[cell]))
@@ -150,7 +148,7 @@ namespace Setae
       smallest_admissible_gap() const override
       {
         if (is_contact)
-          return -smallest_radius;
+          return -kernels.smallest_radius;
         if (Law::is_long_range && fibers.scene.has_contact())
           return -std::numeric_limits<double>::infinity();
         return parameters.regularization;
@@ -218,7 +216,7 @@ namespace Setae
               const std::vector<LineSite> &source_sites,
               const Segment &) {
             const HermiteCell<> &cell   = state.current[target];
-            const Kernel<Law>   &kernel = this->kernel(source, target);
+            const Kernel<Law>   &kernel = kernels.between(source, target);
             const double factor = strength * roles.factor(source, target);
             if constexpr (is_projected<Law>)
               for (const LineSite &site : source_sites)
@@ -296,55 +294,6 @@ namespace Setae
             }
       }
 
-      /** @return The largest reach of all pairs of sections [length]. */
-      double
-      make_kernels()
-      {
-        double reach = 0.;
-        for (unsigned int s = 0; s < fibers.fibers.size(); ++s)
-          for (unsigned int t = 0; t < fibers.fibers.size(); ++t)
-            {
-              const auto key = std::make_pair(fibers.fibers[s].parameters,
-                                              fibers.fibers[t].parameters);
-              if (!roles.may_be_source(s) || !roles.may_be_target(t) ||
-                  kernels.count(key) > 0)
-                continue;
-              const SectionPair sections =
-                section_pair(parameters,
-                             fibers.scene.fibers[key.first],
-                             fibers.scene.fibers[key.second]);
-              check_equal(sections);
-              const Kernel<Law> kernel = make_kernel<Law>(parameters, sections);
-              kernels.emplace(key, kernel);
-              reach           = std::max(reach, kernel.reach());
-              smallest_radius = std::min(
-                {smallest_radius, sections.radius_1, sections.radius_2});
-            }
-        return reach;
-      }
-
-      void
-      check_equal(const SectionPair &sections) const
-      {
-        AssertThrow(parameters.force_minimum == 0. ||
-                      (sections.radius_1 == sections.radius_2 &&
-                       sections.density_1 == sections.density_2),
-                    ExcParameter("interactions/" + parameters.name +
-                                   "/force minimum",
-                                 std::to_string(parameters.force_minimum),
-                                 "replaced by 'prefactors' for fibers that "
-                                 "differ in radius or number density"));
-      }
-
-      const Kernel<Law> &
-      kernel(const unsigned int source, const unsigned int target) const
-      {
-        return kernels
-          .find({fibers.fibers[fibers.fiber_of_cell[source]].parameters,
-                 fibers.fibers[fibers.fiber_of_cell[target]].parameters})
-          ->second;
-      }
-
       /** How far beyond the reach to search, if the scene does not say
        * [length]. */
       double
@@ -353,7 +302,7 @@ namespace Setae
         if (parameters.skin > 0.)
           return parameters.skin;
         if (is_contact)
-          return smallest_radius;
+          return kernels.smallest_radius;
         return parameters.cutoff > 0. ? .5 * parameters.cutoff :
                                         std::numeric_limits<double>::infinity();
       }
@@ -404,7 +353,7 @@ namespace Setae
                const Request                request)
       {
         const HermiteCell<> &cell   = state.current[target];
-        const Kernel<Law>   &kernel = this->kernel(source, target);
+        const Kernel<Law>   &kernel = kernels.between(source, target);
         const double         factor = strength * roles.factor(source, target);
         const double         reach_square = kernel.reach() * kernel.reach();
         const BoundingBox<3> box          = bounding_box(cell.control_points());
@@ -456,13 +405,9 @@ namespace Setae
       const InteractionRoles       roles;
       const Quadrature<1>          rule; ///< of a cell
 
-      /** One for each pair of sections of the scene. */
-      std::map<std::pair<unsigned int, unsigned int>, Kernel<Law>> kernels;
-
-      double smallest_radius = std::numeric_limits<double>::infinity();
       const Expression          strength;
       double                    energy_of_unit_strength = 0.; ///< of this rank
-      const double              reach; ///< largest of all kernels [length]
+      const SectionKernels<Law> kernels;
       const InteractionPoints   points;
       NeighborList              neighbors;
       std::unique_ptr<FarField> far_field; ///< none if all pairs are summed

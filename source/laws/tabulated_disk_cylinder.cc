@@ -99,10 +99,10 @@ namespace Setae
           for (unsigned int k = 0; k <= j; ++k)
             {
               const double W = square[k], C = square[j] / R;
-              plane[j * (n_angle + 1) + k] =
+              plane[j * (n_angle + 1) + k] = std::log(
                 integral(DiskContact<double>{H, W, C}) /
                 (powers.value(H) *
-                 OrientedDiskCylinder::orientation_value(R1, R2, H, W, C));
+                 OrientedDiskCylinder::orientation_value(R1, R2, H, W, C)));
             }
         extrapolate(plane, n_angle);
       }
@@ -157,7 +157,7 @@ namespace Setae
       {
         const GapDerivatives    p = term.powers.derivatives(contact.H);
         const SplineDerivatives t =
-          term.correction.derivatives(x.value, n * y, n * z);
+          exponential(term.correction.derivatives(x.value, n * y, n * z));
         const double t_x = t.first[0], t_y = n * t.first[1],
                      t_z  = n * t.first[2];
         const double t_xy = n * t.xy, t_xz = n * t.xz, t_yy = n * n * t.yy,

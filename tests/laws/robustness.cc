@@ -161,6 +161,8 @@ namespace
     }
   };
 
+  using CoarseTable = EveryLaw<TabulatedDiskCylinder>;
+
   TYPED_TEST_SUITE(EveryLaw, typename TestedLaws<PotentialLaws>::type);
 } // namespace
 
@@ -202,4 +204,20 @@ TYPED_TEST(EveryLaw, IsANumberOfTheRightSignInEveryConfiguration)
             EXPECT_FALSE(law.admits(0.) || law.admits(-.1 * small));
         }
   EXPECT_GE(n_configurations, 100000u);
+}
+
+// Its table may be coarser than its error can be small.
+TEST_F(CoarseTable, HasTheRightSign)
+{
+  using Law = TabulatedDiskCylinder;
+  for (const double R2 : {1e-4, .01, 1., 100., 1e4})
+    for (const unsigned int exponent : {6u, 12u})
+      {
+        const auto law =
+          make_law<Law>({{exponent, 1.}}, {1., R2, 1., 1.}, {}, {2, 5, .1});
+        for (const double gap :
+             logarithmic(1e-12 * std::min(1., R2), 1e6 * std::max(1., R2), 60))
+          ASSERT_TRUE(is_right(law, 1, gap))
+            << "R2 " << R2 << ", m " << exponent;
+      }
 }

@@ -5,6 +5,7 @@
 #define setae_base_spline_table_h
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace Setae
@@ -16,6 +17,25 @@ namespace Setae
     std::array<double, 3> first;
     double                xx, xy, xz, yy, yz, zz;
   };
+
+  /** The exponential function of a function with the derivatives @p f. */
+  inline SplineDerivatives
+  exponential(const SplineDerivatives &f)
+  {
+    const double      E = std::exp(f.value);
+    const auto       &d = f.first;
+    SplineDerivatives result;
+    result.value = E;
+    for (unsigned int i = 0; i < 3; ++i)
+      result.first[i] = E * d[i];
+    result.xx = E * (f.xx + d[0] * d[0]);
+    result.xy = E * (f.xy + d[0] * d[1]);
+    result.xz = E * (f.xz + d[0] * d[2]);
+    result.yy = E * (f.yy + d[1] * d[1]);
+    result.yz = E * (f.yz + d[1] * d[2]);
+    result.zz = E * (f.zz + d[2] * d[2]);
+    return result;
+  }
 
 
 

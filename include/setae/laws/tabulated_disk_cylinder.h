@@ -18,7 +18,8 @@ namespace Setae
    * of OrientedDiskCylinder times a correction of order one for each power of
    * the point potential,
    * @f[ \tilde\pi = \frac1{\sqrt G}\sum_m P_m(H)\,C_m(x,y,z), @f]
-   * tabulated at start-up from SectionIntegral.
+   * tabulated at start-up from SectionIntegral, as its logarithm: however
+   * coarse the table is, the sign is right.
    *
    * The coordinates are logarithms, because the scale of all changes is the
    * softened distance H itself: x of H, and with
@@ -65,6 +66,7 @@ namespace Setae
     Number
     value(const DiskContact<Number> &contact) const
     {
+      using std::exp;
       using std::log;
       const Number H = held.value(contact.H), s = H * H, R = R1 * R1;
       const Number M = log((R + s) / s);
@@ -74,7 +76,8 @@ namespace Setae
 
       Number sum = 0.;
       for (const Term &term : terms)
-        sum += term.powers.value(contact.H) * term.correction.value(x, y, z);
+        sum += term.powers.value(contact.H) *
+               exp(Number(term.correction.value(x, y, z)));
       return sum * OrientedDiskCylinder::orientation_value(
                      R1, R2, H, contact.W, contact.C);
     }
@@ -83,10 +86,10 @@ namespace Setae
     struct Term
     {
       Regularized<ContactPowers> powers;
-      SplineTable                correction;
+      SplineTable                correction; ///< its logarithm
     };
 
-    /** Values of the correction at all nodes of the table. */
+    /** The logarithm of the correction at all nodes of the table. */
     std::vector<double>
     tabulate(const InversePower &power,
              const unsigned int  n_depth,
