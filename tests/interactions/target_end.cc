@@ -115,7 +115,9 @@ TEST(TargetEnd, HasNoJumpAroundTheEnd)
                                                      -reach * std::cos(angle),
                                                      normal)));
             if (n > 0)
-              EXPECT_LT(std::abs(f - f_old), .05);
+              {
+                EXPECT_LT(std::abs(f - f_old), .05);
+              }
             f_old = f;
           }
       }
