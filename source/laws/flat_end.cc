@@ -106,8 +106,8 @@ namespace Setae
       return at.D - std::sqrt(std::max(at.W, 0.));
     };
     double                  result = of(of_cap(pose));
-    double                  share;
-    const Direction<double> at = edge(pose, share);
+    double                  share, gate;
+    const Direction<double> at = edge(pose, share, gate);
     if (at.D > 0.)
       result = std::max(result, of(at));
     return result;

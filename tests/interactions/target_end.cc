@@ -10,6 +10,7 @@
 #include <setae/laws/oriented_disk_cylinder.h>
 #include <setae/verification/disk_cylinder.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -22,7 +23,9 @@ namespace
   constexpr SectionPair sections = {1., 1.2, 1., 1.};
 
   TargetEnd<Law>
-  end_of(const unsigned int m, const GapRange &range = {})
+  end_of(const unsigned int m,
+         const SectionPair &sections = ::sections,
+         const GapRange    &range    = {})
   {
     const InversePower power = {m, 1.};
     return TargetEnd<Law>({{Law({power}, sections, range),
@@ -121,6 +124,80 @@ TEST(TargetEnd, HasNoJumpAroundTheEnd)
             f_old = f;
           }
       }
+}
+
+
+
+// Straight ways across the end, tangential and at every angle around it. If the
+// logarithm of the energy has a continuous slope with a bounded derivative
+// between kinks, the largest change of the slope over a step halves with the
+// step; at a kink it stays, at a jump of the energy it doubles.
+TEST(TargetEnd, HasAContinuousSlopeAroundTheEnd)
+{
+  for (const unsigned int m : {6, 12})
+    for (const double R2 : {.3, 1., 3.})
+      for (Tensor<1, 3> normal : {Tensor<1, 3>({0., 0., 1.}),
+                                  Tensor<1, 3>({0., 1., 0.}),
+                                  Tensor<1, 3>({1., 0., 0.}),
+                                  Tensor<1, 3>({.5, .6, .62}),
+                                  Tensor<1, 3>({-.7, 0., .7})})
+        {
+          normal /= normal.norm();
+          const SectionPair    pair = {1., R2, 1., 1.};
+          const TargetEnd<Law> end  = end_of(m, pair);
+          const Law            law({{m, 1.}}, pair, {});
+          const FlatEnd        flat_end({m, 1.}, pair, {});
+          const auto           clearance = [&](const double d, const double z) {
+            const auto   pose   = pose_at(d, z, normal);
+            const double of_end = flat_end.clearance(pose);
+            if (!flat_end.has_side(pose.square))
+              return of_end;
+            const auto contact =
+              law.contact(flat_end.gap(d), pose.cosine, normal[0]);
+            return std::max(of_end, contact.clearance());
+          };
+          for (double angle = .05; angle < 1.55; angle += .1)
+            {
+              // The place at the distance gap, from the edge in this direction
+              constexpr double gap  = .02;
+              double           near = 0., far = 5.;
+              for (unsigned int i = 0; i < 60; ++i)
+                {
+                  const double s = .5 * (near + far);
+                  (clearance(R2 + s * std::sin(angle), -s * std::cos(angle)) <
+                       gap ?
+                     near :
+                     far)        = s;
+                }
+              const double d      = R2 + far * std::sin(angle);
+              const double z      = -far * std::cos(angle);
+              const auto   change = [&](const unsigned int n) {
+                constexpr double half   = .4 * gap;
+                const double     step   = 2. * half / n;
+                double           result = 0., f[3] = {};
+                for (unsigned int i = 0; i <= n; ++i)
+                  {
+                    const double s = i * step - half;
+                    f[0]           = f[1];
+                    f[1]           = f[2];
+                    f[2]           = std::log(energy(end,
+                                           pose_at(d + s * std::cos(angle),
+                                                   z + s * std::sin(angle),
+                                                   normal)));
+                    if (i > 1)
+                      result =
+                        std::max(result,
+                                 std::abs(f[2] - 2. * f[1] + f[0]) / step);
+                  }
+                return result;
+              };
+              const double coarse = change(2000), fine = change(4000);
+              ASSERT_TRUE(std::isfinite(coarse));
+              EXPECT_LT(fine, .6 * coarse + 1e-5)
+                << "m = " << m << ", R2/R1 = " << R2 << ", normal " << normal
+                << ", angle " << angle;
+            }
+        }
 }
 
 

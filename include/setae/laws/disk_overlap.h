@@ -18,7 +18,9 @@ namespace Setae
    * and each disk contributes the segment @f$R^2(\vartheta-\sin\vartheta
    * \cos\vartheta)@f$ of half the angle @f$\vartheta@f$ beyond it. The two
    * factors that vanish where the disks begin to overlap and where one covers
-   * the other are replaced by @f$\frac12(q+\sqrt{q^2+w^2})@f$ with a width w.
+   * the other are replaced by @f$\frac12(q+\sqrt{q^2+w^2})@f$ with a width w;
+   * the second one together with its neighbor, because only their product is
+   * smooth where the radii are equal.
    */
   template <typename Number>
   Number
@@ -47,13 +49,15 @@ namespace Setae
       return 2. / 3. * sine_square * sine * (1. + sum);
     };
 
-    const Number difference = radius_1 > radius_2 ?
-                                Number(radius_1 - radius_2) :
-                                Number(radius_2 - radius_1);
-    const Number total      = radius_1 + radius_2;
+    const Number difference = radius_1 - radius_2, total = radius_1 + radius_2;
+    const Number inner = y * y - difference * difference;
+    const Number fringe =
+      2. * width * width * (y * y + difference * difference);
+    const Number root = sqrt(inner * inner + fringe);
     const Number chord =
       sqrt(softened(Number(total - y)) * (total + y) *
-           softened(Number(y - difference)) * (y + difference));
+           (inner < 0. ? Number(.5 * fringe / (root - inner)) :
+                         Number(.5 * (root + inner))));
     const Number square = radius_1 * radius_1, square_2 = radius_2 * radius_2;
     return square * segment(Number((y * y + square - square_2) / chord)) +
            square_2 * segment(Number((y * y + square_2 - square) / chord));

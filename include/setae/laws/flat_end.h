@@ -130,10 +130,12 @@ namespace Setae
      * Zero if there is no such direction between side and end.
      *
      * @param[out] share What the edge is of a half-space.
+     * @param[out] gate Zero where the disk is nearest to the inner part of the
+     * end.
      */
     template <typename Number>
     Direction<Number>
-    edge(const Pose<Number> &pose, Number &share) const;
+    edge(const Pose<Number> &pose, Number &share, Number &gate) const;
 
     template <typename Number>
     Number
@@ -161,6 +163,9 @@ namespace Setae
     /** Of the disk's curvature before the edge, found by comparison. */
     static constexpr double roundness = .06;
 
+    /** Steps of the search for the direction of the edge. */
+    static constexpr unsigned int n_edge_steps = 6;
+
     unsigned int               m;
     double                     R1, R2;
     double                     line_of_points; ///< factor of from_afar()
@@ -178,56 +183,68 @@ namespace Setae
 
   template <typename Number>
   FlatEnd::Direction<Number>
-  FlatEnd::edge(const Pose<Number> &pose, Number &share) const
+  FlatEnd::edge(const Pose<Number> &pose, Number &share, Number &gate) const
   {
     using std::sqrt;
-    // The edge is approached in the plane of the axis and of the point of the
-    // disk that is farthest inwards.
-    constexpr double tiny = 1e-20;
-    const double     R    = R1 * R1;
+    constexpr double tiny = 1e-20, corner = .001;
+    const double     R = R1 * R1;
     const Number     C = pose.cosine * pose.cosine, W_axis = R * (1. - C);
-    const Number     shift =
+
+    // The edge is approached in the plane of the axis and of d - shift t1. The
+    // first shift is to the point of the disk that is farthest inwards; each of
+    // the next ones separates better, because -sqrt(W) is convex in t1.e.
+    Number shift =
       R * pose.cosine / sqrt(W_axis + .25 * pose.z * pose.z + tiny * R);
-    const Number across = pose.along - shift * (1. - C);
-    const Number square = pose.square - shift * (pose.along + across);
-    const double least  = .5 * R2;
-    if (!(square > least * least))
-      return {0., 0., 0.};
-    const Number y = sqrt(square);
+    Number            S = 0., u0 = 0.;
+    Direction<Number> result;
+    for (unsigned int i = 0; i < n_edge_steps; ++i)
+      {
+        const Number across = pose.along - shift * (1. - C);
+        const Number square = pose.square - shift * (pose.along + across);
+        const double least  = .25 * R2 * R2;
+        const Number y      = sqrt(Held(2. * least).value(square));
+        gate                = step(Number(square / least - 1.));
 
-    // u = (cos, sin) of the angle from there to the end: D is X u, W is
-    // R1^2 (1 - (p u)^2), and D^2 - W is u K u.
-    const Number X[2] = {(pose.square - shift * pose.along) / y - R2, -pose.z};
-    const Number p[2] = {across / y, -pose.cosine};
-    const Number K00  = X[0] * X[0] - R * (1. - p[0] * p[0]);
-    const Number K11  = X[1] * X[1] - R * (1. - p[1] * p[1]);
-    const Number K01  = X[0] * X[1] + R * p[0] * p[1];
-    if (!(K01 > 0.))
-      return {0., 0., 0.};
+        // u = (cos, sin) of the angle from there to the end: D is X u, W is
+        // R1^2 (1 - (p u)^2), and D^2 - W is u K u. A negative K01 points out
+        // of the quadrant between side and end.
+        const Number X[2] = {(pose.square - shift * pose.along) / y - R2,
+                             -pose.z};
+        const Number p[2] = {across / y, -pose.cosine};
+        const Number K00  = X[0] * X[0] - R * (1. - p[0] * p[0]);
+        const Number K11  = X[1] * X[1] - R * (1. - p[1] * p[1]);
+        const Number K01  = X[0] * X[1] + R * p[0] * p[1];
+        const double soft = corner * corner * R * R;
+        const Number bend = sqrt(K01 * K01 + soft);
+        const Number K    = K01 > 0. ? Number(.5 * (K01 + bend)) :
+                                       Number(.5 * soft / (bend - K01));
 
-    const Number difference = K00 - K11;
-    const Number root       = sqrt(difference * difference + 4. * K01 * K01);
-    const bool   to_side    = difference > 0.;
-    const Number larger  = sqrt(.5 + (to_side ? .5 : -.5) * difference / root);
-    const Number smaller = K01 / (root * larger);
-    const Number u[2]    = {to_side ? larger : smaller,
-                         to_side ? smaller : larger};
-
-    const Number D = X[0] * u[0] + X[1] * u[1];
-    const Number t = p[0] * u[0] + p[1] * u[1];
-    if (!(D > 0.))
+        const Number difference = K00 - K11;
+        const Number root       = sqrt(difference * difference + 4. * K * K);
+        const bool   to_side    = difference > 0.;
+        const Number larger =
+          sqrt(.5 + (to_side ? .5 : -.5) * difference / root);
+        const Number smaller = K / (root * larger);
+        const Number u[2]    = {to_side ? larger : smaller,
+                             to_side ? smaller : larger};
+        const Number t = p[0] * u[0] + p[1] * u[1];
+        result.D       = X[0] * u[0] + X[1] * u[1];
+        result.W       = R * (1. - t * t);
+        u0             = u[0];
+        S              = 1. - p[0] * p[0] - C;
+        shift = -R * t / sqrt(result.W + .25 * result.D * result.D + tiny * R);
+      }
+    if (!(result.D > 0.))
       return {0., 0., 0.};
-    const Direction<Number> result = {D,
-                                      R * (1. - t * t),
-                                      .25 * (K00 + K11 + root) / D};
-    const Number            H = held.value(result.H), W = result.W + H * H;
-    const Number            Q = sqrt(W), S = 1. - p[0] * p[0] - C;
-    const Number            wide  = H * R1 / Q;
-    const Number            round = roundness * (m - 4.) * R * R * S / (W * Q);
+    result.H       = .5 * (result.D - result.W / result.D);
+    const Number H = held.value(result.H), W = result.W + H * H;
+    const Number Q     = sqrt(W);
+    const Number wide  = H * R1 / Q;
+    const Number round = roundness * (m - 4.) * R * R * S / (W * Q);
     share =
       H /
-      sqrt((wide * wide + H * round) * (1. + (1. - S) * R * u[0] / (Q * R2))) *
-      wedge * step(Number(square / (least * least) - 1.));
+      sqrt((wide * wide + H * round) * (1. + (1. - S) * R * u0 / (Q * R2))) *
+      wedge;
     return result;
   }
 
@@ -318,14 +335,23 @@ namespace Setae
 
     // The edge counts where it is much farther away than the others say.
     constexpr double        least = 1.2, most = 2.7;
-    Number                  edge_share = 0., energy = 0., part = 0.;
-    const Direction<Number> edge = this->edge(pose, part);
-    if (edge.H > least * sum)
+    Number                  edge_share = 0., energy = 0., part = 0., gate = 0.;
+    const Direction<Number> edge = this->edge(pose, part, gate);
+    if (edge.H > 0.)
       {
-        const Number h = held.value(edge.H);
-        edge_share     = 1.;
-        if (h < most * sum)
-          edge_share = step(Number((h - least * sum) / ((most - least) * sum)));
+        // One that is small beside the edge goes to zero smoothly, because
+        // held does not.
+        const Number h   = held.value(edge.H);
+        const auto   let = [&](const Number &x) -> Number {
+          return x * step(Number(5. * x / h));
+        };
+        const Number others = let(side) + let(end);
+        if (h >= most * others)
+          edge_share = gate;
+        else if (h > least * others)
+          edge_share =
+            gate *
+            step(Number((h - least * others) / ((most - least) * others)));
         energy = edge_share * part * half_space(edge);
       }
 
