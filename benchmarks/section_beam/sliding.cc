@@ -192,7 +192,7 @@ main()
           };
           const Errors finite = compare(
             of_exact,
-            [&](const double z) { return end.value(gap, 1., 0., z); },
+            [&](const double z) { return end.value(gap, gap, 1., 0., z); },
             length);
           const Errors clamped = compare(
             of_exact,

@@ -41,7 +41,8 @@ namespace
     if (finite)
       for (const InversePower &power : potential)
         terms.push_back({law_of<Law>({power}, range),
-                         EndFraction(power.exponent, radii, range)});
+                         EndFraction(power.exponent, radii, range),
+                         FlatEnd(power, radii, range)});
     return {law_of<Law>(potential, range),
             radii.radius_1 + radii.radius_2,
             terms};
@@ -125,6 +126,32 @@ TYPED_TEST(SectionBeamOfLaw, HasThemBeforeAndBeyondTheEnd)
           c.ends = {end == 0. || beyond > 0., end == 1.};
           expect_consistent(interaction, c, 1e-10);
         }
+}
+
+
+
+// Over the end cap and its edge, on the axis as well, with and without a gap
+// that is small beside the radii.
+TYPED_TEST(SectionBeamOfLaw, HasThemInFrontOfTheEnd)
+{
+  std::mt19937 random(5);
+  const auto   interaction = interaction_of<TypeParam>({}, true);
+  for (const double gap : {1e-3, .01, .1})
+    for (const double lateral : {0., .013, .03, .045})
+      {
+        Configuration      c  = random_configuration(random, .1, 1., .05, -.5);
+        const Tensor<1, 3> a1 = c.cells.source.derivative(c.x),
+                           a2 = c.cells.target.derivative(1.);
+        const Tensor<1, 3> t1 = a1 / a1.norm(), t2 = a2 / a2.norm();
+        const double sine = std::sqrt(std::max(0., 1. - (t1 * t2) * (t1 * t2)));
+        move_to(c.cells.source,
+                c.x,
+                c.cells.target.position(1.) +
+                  (gap + radii.radius_1 * sine) * t2 +
+                  lateral * random_normal_to(t2, random));
+        c.ends = {false, true};
+        expect_consistent(interaction, c, 1e-9);
+      }
 }
 
 

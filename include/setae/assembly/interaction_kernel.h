@@ -109,15 +109,17 @@ namespace Setae
       for (unsigned int i = 0; i < potential.size(); ++i)
         {
           const EndFraction fraction(potential[i].exponent, sections, range);
+          const FlatEnd     flat_end(potential[i], sections, range);
           // No table is made twice.
           if constexpr (HasSinglePowers<Law>::value)
-            terms.push_back({law.single_power(i), fraction});
+            terms.push_back({law.single_power(i), fraction, flat_end});
           else
             terms.push_back({make_law<Law>({potential[i]},
                                            sections,
                                            range,
                                            law_accuracy(parameters)),
-                             fraction});
+                             fraction,
+                             flat_end});
         }
       (void)law;
       return terms;

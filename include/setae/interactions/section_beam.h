@@ -68,13 +68,8 @@ namespace Setae
           const GapAngle       geometry(pair.points, sum_of_radii);
           if (geometry.gap >= law.cutoff())
             continue;
-          const auto   site_law = place(geometry);
-          const double gap      = site_law.gap();
-          const double beyond   = pair.shapes.beyond * geometry.length_2;
-          smallest_gap =
-            std::min(smallest_gap,
-                     beyond > 0. ? std::hypot(std::max(gap, 0.), beyond) : gap);
-          // Beyond an end the energy vanishes with the gap, see EndFraction.
+          const double gap = this->gap(pair, geometry, ends);
+          smallest_gap     = std::min(smallest_gap, gap);
           if (!law.admits(gap))
             continue;
 
@@ -90,7 +85,7 @@ namespace Setae
                                 local);
               continue;
             }
-          const auto derivatives = weight * site_law.derivatives(law);
+          const auto derivatives = weight * place(geometry).derivatives(law);
           local.energy += derivatives.value;
           if (request >= Request::residual)
             pair.distribute(geometry.energy(derivatives,
@@ -120,15 +115,15 @@ namespace Setae
           const GapAngle       geometry(pair.points, sum_of_radii);
           if (geometry.gap >= law.cutoff())
             continue;
-          const auto   site_law = place(geometry);
-          const double gap      = site_law.gap();
+          const double gap = this->gap(pair, geometry, ends);
           if (!law.admits(gap))
             continue;
           PointPairEnergy energy;
           if (end.is_finite(ends))
             energy = end.energy(ends, pair.projection.x, geometry, factor).pair;
           else
-            energy = geometry.energy(factor * site_law.derivatives(law), false);
+            energy =
+              geometry.energy(factor * place(geometry).derivatives(law), false);
           const Tensor<1, 3> force = -energy.gradient[PointPairIndex::r1];
           result.push_back({pair.points.r1, force, gap});
           result.push_back({pair.points.r2, -force, gap});
@@ -170,20 +165,27 @@ namespace Setae
           x += step;
           r2 += step * a2;
         }
-      const Tensor<1, 3, Number> d   = r1 - r2;
-      const Number               gap = sqrt(d * d) - sum_of_radii;
-      const Number cosine            = (a1 * a2) / sqrt((a1 * a1) * (a2 * a2));
-      const Number tilt              = (a1 * d) / sqrt((a1 * a1) * (d * d));
-      const auto   evaluate          = [&](const Law &law) {
+      const Tensor<1, 3, Number> d = r1 - r2;
+      const Number length_1 = sqrt(a1 * a1), length_2 = sqrt(a2 * a2);
+      const Number cosine   = (a1 * a2) / (length_1 * length_2);
+      const Number along    = (a1 * d) / length_1;
+      const auto   evaluate = [](const Law    &law,
+                               const Number &gap,
+                               const Number &cosine,
+                               const Number &tilt) {
         if constexpr (has_tilt)
           return law.energy(gap, cosine, tilt);
         else
           return law.energy(gap, cosine);
       };
-      if (!finite)
-        return evaluate(law);
-      return end.value(
-        ends, gap, cosine, tilt, x, Number(sqrt(a2 * a2)), evaluate);
+      if (finite)
+        return end.value(
+          ends, Number(d * d), along, cosine, x, length_2, evaluate);
+      const Number distance = sqrt(d * d);
+      return evaluate(law,
+                      Number(distance - sum_of_radii),
+                      cosine,
+                      Number(along / distance));
     }
 
     /** Distance of two centerlines from which on the law is zero [length]. */
@@ -242,6 +244,21 @@ namespace Setae
           geometry, law.contact(geometry.gap, geometry.cosine, geometry.tilt)};
       else
         return GapAnglePlace{geometry};
+    }
+
+    /** Distance of a section and the target: its side or an end. */
+    double
+    gap(const SiteProjection &pair,
+        const GapAngle       &geometry,
+        const FiberEnds      &ends) const
+    {
+      if (!end.is_finite(ends))
+        return place(geometry).gap();
+      const double square = geometry.d * geometry.d;
+      const double of_end = end.clearance(
+        ends, pair.projection.x, square, geometry.d * geometry.t1, geometry);
+      return end.has_side(square) ? std::max(of_end, place(geometry).gap()) :
+                                    of_end;
     }
 
     /** Let a closest point move on along the tangent at the end of a fiber. */

@@ -100,6 +100,21 @@ namespace Setae
              cutoff_switch.value(gap);
     }
 
+    /** DiskContact::H, on any number type. */
+    template <typename Number>
+    Number
+    softened_distance(const Number &gap,
+                      const Number &cosine,
+                      const Number &tilt) const
+    {
+      using Map         = DiskContactMap;
+      const Number held = gap < smallest_gap() ? Number(smallest_gap()) : gap;
+      const double direction = map.direction(Map::double_of(held),
+                                             Map::double_of(cosine),
+                                             Map::double_of(tilt));
+      return map.contact(held, cosine, tilt, direction).H;
+    }
+
     /** The gap [length] from which on the law is zero. */
     double
     cutoff() const

@@ -131,7 +131,7 @@ namespace Setae
       for (unsigned int i = 0; i < 2; ++i)
         {
           const Stationarity<Number> f = stationarity(x, u);
-          u -= f.value / f.slope;
+          u = u - f.value / f.slope;
         }
       return contact(x, u);
     }
@@ -182,7 +182,7 @@ namespace Setae
       const Number C = cosine * cosine, T = tilt * tilt;
       Number       S = 1. - C - T;
       if (S < 0.) // by rounding
-        S -= double_of(S);
+        S = S - double_of(S);
       return {gap, gap + (R1 + R2), C, T, S};
     }
 

@@ -55,20 +55,34 @@ namespace Setae
         sheet.weight /= sum;
     }
 
-    /** The fraction, between zero and one. */
+    /**
+     * The fraction, between zero and one.
+     *
+     * @param distance From the section to the surface of the infinite target.
+     * @param cosine Of the section's normal and the axis, which points inwards.
+     */
     template <typename Number>
     Number
-    value(const Number &gap,
+    value(const Number &distance,
+          const Number &gap,
           const Number &cosine,
           const Number &tilt,
           const Number &z) const
     {
       using std::sqrt;
-      // A section that leans over may be near with a negative gap of its axis.
       const Number T = tilt * tilt;
       const Number g =
-        .5 * (gap + sqrt(gap * gap + R1 * R1 * (T * T + smallest * smallest)));
-      const Number sine_square = 1. - cosine * cosine;
+        .5 *
+        (distance + sqrt(distance * distance + R1 * R1 * smallest * smallest));
+
+      // The point of the section that is nearest, and how wide the section is
+      // there along the target: by the curvature of its edge and, where it
+      // turns its face to the target, by its face.
+      const Number C = cosine * cosine, W = R1 * R1 * (1. - T);
+      const Number Q       = sqrt(W + g * g);
+      const Number nearest = z + R1 * R1 / Q * cosine * tilt;
+      const Number edge    = .4 * R1 * R1 / Q * (1. - C - T);
+      const Number face    = .5 * R1 * g / Q;
 
       const Number scale = (R1 + R2 + far_scale * g) / (R1 + R2 + g);
 
@@ -78,9 +92,9 @@ namespace Setae
           const Number depth =
             (R1 + R2) * sheet.depth * g / (R1 + R2 + sheet.depth * g);
           const Number x = (g + depth) * scale;
-          sum +=
-            sheet.weight *
-            of_sheet(Number(z / sqrt(x * x + (.4 * R1) * sine_square * depth)));
+          sum += sheet.weight *
+                 of_sheet(Number(nearest / sqrt(x * x + edge * depth +
+                                                face * face * (1. - C))));
         }
       return sum * reach(gap, z);
     }
