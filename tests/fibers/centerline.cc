@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 The Setae authors
 
+#include <gtest/gtest.h>
+
 #include <setae/base/exceptions.h>
 #include <setae/fibers/centerline.h>
-
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdio>
@@ -17,7 +17,7 @@ namespace
   /** A mesh of lines that is removed at the end. */
   struct MeshFile
   {
-    MeshFile(const std::vector<Tensor<1, 3>> &                   points,
+    MeshFile(const std::vector<Tensor<1, 3>>                  &points,
              const std::vector<std::pair<unsigned, unsigned>> &lines)
     {
       std::ofstream file(name);
@@ -40,7 +40,11 @@ namespace
       std::remove(name.c_str());
     }
 
-    const std::string name = "centerline_test.vtk";
+    /** Of its own for each test: tests run at the same time. */
+    const std::string name =
+      std::string(
+        testing::UnitTest::GetInstance()->current_test_info()->name()) +
+      ".vtk";
   };
 
   Tensor<1, 3>
@@ -115,8 +119,7 @@ TEST(Centerline, IsReadFromAMeshFileInTheOrderOfTheChain)
     points.push_back(on_circle(i * M_PI / 8.));
   for (unsigned int i = 0; i < 3; ++i)
     points.push_back(Tensor<1, 3>({2. + i, 0., 1.}));
-  const MeshFile mesh(points,
-                      {{1, 4}, {2, 0}, {2, 4}, {0, 3}, {5, 6}, {7, 6}});
+  const MeshFile mesh(points, {{1, 4}, {2, 0}, {2, 4}, {0, 3}, {5, 6}, {7, 6}});
 
   FiberParameters fiber;
   fiber.mesh_file  = mesh.name;
@@ -142,8 +145,8 @@ TEST(Centerline, IsReadFromAMeshFileInTheOrderOfTheChain)
 
 TEST(Centerline, OfARingIsClosed)
 {
-  constexpr unsigned int                      n = 12;
-  std::vector<Tensor<1, 3>>                   points;
+  constexpr unsigned int                     n = 12;
+  std::vector<Tensor<1, 3>>                  points;
   std::vector<std::pair<unsigned, unsigned>> lines;
   for (unsigned int i = 0; i < n; ++i)
     {
@@ -152,7 +155,7 @@ TEST(Centerline, OfARingIsClosed)
     }
   const MeshFile  mesh(points, lines);
   FiberParameters fiber;
-  fiber.mesh_file = mesh.name;
+  fiber.mesh_file  = mesh.name;
   const auto rings = make_centerlines(fiber, {});
   ASSERT_EQ(rings.size(), 1u);
   EXPECT_TRUE(rings[0].closed);
