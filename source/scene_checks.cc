@@ -191,6 +191,26 @@ namespace Setae
               "below the gap from which on the cutoff acts");
     }
 
+    /** What conserves or bounds the energy needs forces that have one. */
+    void
+    check_energy(const InteractionParameters &interaction,
+                 const DynamicsParameters    &dynamics)
+    {
+      const std::string without_potential =
+        " with the interaction '" + interaction.name +
+        "', which has no potential ('interaction moments', 'cutoff of')";
+      const bool has_potential =
+        interaction.interaction_moments && interaction.cutoff_of == "energy";
+      require(has_potential || dynamics.integrator != "energy-conserving",
+              "dynamics/integrator",
+              dynamics.integrator,
+              "another one" + without_potential);
+      require(has_potential || dynamics.energy_tolerance == 0.,
+              "dynamics/energy tolerance",
+              dynamics.energy_tolerance,
+              "0" + without_potential);
+    }
+
     void
     check_grading(const InteractionParameters &interaction,
                   const bool                   can_be_graded)
@@ -337,6 +357,7 @@ namespace Setae
         check_reference(path + "target", interaction.target, fibers);
         check_interaction(interaction);
         check_far_field(interaction);
+        check_energy(interaction, dynamics);
       }
 
     dynamics.check(fibers);

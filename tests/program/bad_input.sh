@@ -230,6 +230,18 @@ rejects two_fibers.prm "${motion[@]}" --set "dynamics/integrator=IDA" \
   --set "dynamics/tolerance=1e-6" --set "dynamics/energy tolerance=1" -- \
   "'dynamics/energy tolerance'" "'1'" "which cannot bound it"
 
+# An integrator that cannot treat a term: forces without a potential.
+no_potential=(--set "interactions/adhesion/law=offset-disks"
+  --set "interactions/adhesion/interaction moments=false")
+rejects two_fibers.prm "${motion[@]}" "${no_potential[@]}" \
+  --set "dynamics/integrator=energy-conserving" -- "'dynamics/integrator'" \
+  "'energy-conserving'" "'adhesion', which has no potential"
+rejects two_fibers.prm "${motion[@]}" "${no_potential[@]}" \
+  --set "dynamics/energy tolerance=1" -- "'dynamics/energy tolerance'" "'1'" \
+  "'adhesion', which has no potential"
+run two_fibers.prm "${motion[@]}" "${no_potential[@]}" --output good
+check "generalized-alpha rejects forces without a potential" [ "$status" -eq 0 ]
+
 # Where nothing can be written: below a file, and in the place of one.
 for directory in /dev/null/x two_fibers.prm/x two_fibers.prm; do
   rejects two_fibers.prm --output "$directory" -- \
