@@ -2,9 +2,9 @@
 // Copyright (C) 2026 The Setae authors
 
 #include <setae/assembly/far_field.h>
+#include <setae/assembly/interaction_pass.h>
 #include <setae/assembly/interaction_points.h>
 #include <setae/assembly/section_kernels.h>
-#include <setae/search/neighbor_list.h>
 
 #include <map>
 #include <type_traits>
@@ -36,14 +36,10 @@ namespace Setae
                  is_projected<Law>,
                  Law::is_long_range,
                  kernels.largest_reach)
-        , neighbors(kernels.largest_reach, skin())
       {
-        for (const unsigned int cell : fibers.owned_cells)
-          if (roles.may_be_source(fibers.fiber_of_cell[cell]))
-            sources.push_back(cell);
-        for (unsigned int cell = 0; cell < fibers.initial.size(); ++cell)
-          if (roles.may_be_target(fibers.fiber_of_cell[cell]))
-            targets.push_back(cell);
+        add_pass(false);
+        if (has_finite_targets<Law>(parameters))
+          add_pass(true);
         if (parameters.far_field_tolerance > 0.)
           far_field =
             std::make_unique<FarField>(fibers, parameters, roles, rule);
@@ -68,31 +64,31 @@ namespace Setae
           {
             if (!far_field->needs_rebuild(state))
               return false;
-            far_field->build(state, sources);
+            far_field->build(state, passes[0].sources);
             return true;
           }
         std::vector<NeighborList::ControlPoints> cells;
         cells.reserve(state.current.size());
         for (const HermiteCell<> &cell : state.current)
           cells.push_back(cell.control_points());
-        if (!neighbors.needs_rebuild(cells))
-          return false;
-        neighbors.build(cells,
-                        sources,
-                        targets,
-                        [this](const unsigned int s, const unsigned int t) {
-                          return roles.interact(s, t);
-                        });
-        return true;
+        bool is_new = false;
+        for (InteractionPass &pass : passes)
+          if (pass.needs_rebuild(cells))
+            {
+              pass.build(cells);
+              is_new = true;
+            }
+        return is_new;
       }
 
       void
       add_couplings(std::vector<std::pair<unsigned int, unsigned int>>
                       &cell_pairs) const override
       {
-        for (unsigned int i = 0; i < sources.size(); ++i)
-          for (const unsigned int target : partners()(i))
-            cell_pairs.emplace_back(sources[i], target);
+        for (const InteractionPass &pass : passes)
+          for (unsigned int i = 0; i < pass.sources.size(); ++i)
+            for (const unsigned int target : partners(pass)(i))
+              cell_pairs.emplace_back(pass.sources[i], target);
       }
 
       double
@@ -169,17 +165,17 @@ namespace Setae
         Assert(!far_field, ExcNotImplemented("clusters mix fibers"));
         FiberPairResultants resultants;
         const double        strength = this->strength(state.time);
-        points.for_each_pair(
+        for_each_pair(
           state,
-          sources,
-          partners(),
-          [&](const unsigned int           source,
+          [&](const InteractionPass       &pass,
+              const unsigned int           source,
               const unsigned int           target,
               const std::vector<LineSite> &source_sites,
               const Segment               &of_target) {
             const unsigned int s = fibers.fiber_of_cell[source],
                                t = fibers.fiber_of_cell[target];
             if (s == t || !add_pair(state,
+                                    pass,
                                     source,
                                     target,
                                     source_sites,
@@ -207,45 +203,50 @@ namespace Setae
         std::map<unsigned int, std::vector<SiteForce>> sums;
         const double strength = this->strength(state.time);
 
-        points.for_each_pair_with_equal_segments(
-          state,
-          sources,
-          partners(),
-          [&](const unsigned int           source,
-              const unsigned int           target,
-              const std::vector<LineSite> &source_sites,
-              const Segment &) {
-            const HermiteCell<> &cell   = state.current[target];
-            const Kernel<Law>   &kernel = kernels.between(source, target);
-            const double factor = strength * roles.factor(source, target);
-            if constexpr (is_projected<Law>)
-              for (const LineSite &site : source_sites)
-                kernel.forces(
-                  site, cell, fibers.ends_of_cell(target), factor, forces);
-            else
-              {
-                evaluate_sites(rule,
-                               fibers.initial[target],
-                               cell,
-                               target_sites);
-                std::vector<SiteForce> &on_source = sums[source],
-                                       &on_target = sums[target];
-                if constexpr (has_offset)
-                  kernel.add_forces(
-                    source_sites, target_sites, factor, on_source, on_target);
-                else
-                  {
-                    kernel.add_forces(source_sites,
-                                      target_sites,
-                                      factor,
-                                      on_source);
-                    kernel.add_forces(target_sites,
-                                      source_sites,
-                                      factor,
-                                      on_target);
-                  }
-              }
-          });
+        for (const InteractionPass &pass : passes)
+          points.for_each_pair_with_equal_segments(
+            state,
+            pass.sources,
+            partners(pass),
+            [&](const unsigned int           source,
+                const unsigned int           target,
+                const std::vector<LineSite> &source_sites,
+                const Segment &) {
+              const HermiteCell<> &cell = state.current[target];
+              const Kernel<Law>   &kernel =
+                kernels.between(source, target, pass.of_zones);
+              const double factor = strength * roles.factor(source, target);
+              if constexpr (is_projected<Law>)
+                for (const LineSite &site : source_sites)
+                  kernel.forces(site,
+                                cell,
+                                fibers.place_of_cell(target),
+                                factor * share(pass, kernel, source, site),
+                                forces);
+              else
+                {
+                  evaluate_sites(rule,
+                                 fibers.initial[target],
+                                 cell,
+                                 target_sites);
+                  std::vector<SiteForce> &on_source = sums[source],
+                                         &on_target = sums[target];
+                  if constexpr (has_offset)
+                    kernel.add_forces(
+                      source_sites, target_sites, factor, on_source, on_target);
+                  else
+                    {
+                      kernel.add_forces(source_sites,
+                                        target_sites,
+                                        factor,
+                                        on_source);
+                      kernel.add_forces(target_sites,
+                                        source_sites,
+                                        factor,
+                                        on_target);
+                    }
+                }
+            });
         if (far_field)
           add_far_site_forces(state, strength, sums);
         for (const auto &[cell, sites] : sums)
@@ -260,13 +261,52 @@ namespace Setae
 
       static constexpr bool is_contact = std::is_same_v<Law, PenaltyContact>;
 
+      void
+      add_pass(const bool of_zones)
+      {
+        passes.emplace_back(fibers,
+                            roles,
+                            of_zones,
+                            kernels.largest_radius,
+                            kernels.largest_reach,
+                            skin());
+      }
+
       /** A function of the index of a source: the cells near that. */
       auto
-      partners() const
+      partners(const InteractionPass &pass) const
       {
-        return [this](const unsigned int i) {
-          return far_field ? far_field->near_targets(i) : neighbors.targets(i);
+        return [this, &pass](const unsigned int i) {
+          return far_field ? far_field->near_targets(i) : pass.partners(i);
         };
+      }
+
+      /** InteractionPoints::for_each_pair() in all passes. */
+      template <typename Function>
+      void
+      for_each_pair(const State &state, const Function &function) const
+      {
+        for (const InteractionPass &pass : passes)
+          points.for_each_pair(state,
+                               pass.sources,
+                               partners(pass),
+                               [&](const auto &...arguments) {
+                                 function(pass, arguments...);
+                               });
+      }
+
+      /** The share of a site that counts in a pass. */
+      double
+      share(const InteractionPass &pass,
+            const Kernel<Law>     &kernel,
+            const unsigned int     source,
+            const LineSite        &site) const
+      {
+        if constexpr (is_projected<Law>)
+          if (pass.of_zones)
+            return kernel.share_of_zone(fibers.place_of_cell(source), site.x);
+        (void)pass, (void)kernel, (void)source, (void)site;
+        return 1.;
       }
 
       void
@@ -315,28 +355,28 @@ namespace Setae
                 GlobalSystem &system)
       {
         double energy = 0.;
-        points.for_each_pair(state,
-                             sources,
-                             partners(),
-                             [&](const unsigned int           source,
-                                 const unsigned int           target,
-                                 const std::vector<LineSite> &source_sites,
-                                 const Segment               &of_target) {
-                               if (add_pair(state,
-                                            source,
-                                            target,
-                                            source_sites,
-                                            of_target,
-                                            strength,
-                                            request))
-                                 {
-                                   if (has_potential())
-                                     local.symmetrize();
-                                   energy += local.energy;
-                                   if (request >= Request::residual)
-                                     system.add(source, target, local);
-                                 }
-                             });
+        for_each_pair(state,
+                      [&](const InteractionPass       &pass,
+                          const unsigned int           source,
+                          const unsigned int           target,
+                          const std::vector<LineSite> &source_sites,
+                          const Segment               &of_target) {
+                        if (add_pair(state,
+                                     pass,
+                                     source,
+                                     target,
+                                     source_sites,
+                                     of_target,
+                                     strength,
+                                     request))
+                          {
+                            if (has_potential())
+                              local.symmetrize();
+                            energy += local.energy;
+                            if (request >= Request::residual)
+                              system.add(source, target, local);
+                          }
+                      });
         if (far_field)
           energy += far_field->assemble(state, strength, request, system);
         return energy;
@@ -345,6 +385,7 @@ namespace Setae
       /** @return Whether any site of the source is within reach. */
       bool
       add_pair(const State                 &state,
+               const InteractionPass       &pass,
                const unsigned int           source,
                const unsigned int           target,
                const std::vector<LineSite> &source_sites,
@@ -352,8 +393,9 @@ namespace Setae
                const double                 strength,
                const Request                request)
       {
-        const HermiteCell<> &cell   = state.current[target];
-        const Kernel<Law>   &kernel = kernels.between(source, target);
+        const HermiteCell<> &cell = state.current[target];
+        const Kernel<Law>   &kernel =
+          kernels.between(source, target, pass.of_zones);
         const double         factor = strength * roles.factor(source, target);
         const double         reach_square = kernel.reach() * kernel.reach();
         const BoundingBox<3> box          = bounding_box(cell.control_points());
@@ -363,6 +405,9 @@ namespace Setae
         for (const LineSite &site : source_sites)
           {
             if (distance_square(box, site.r) >= reach_square)
+              continue;
+            const double share = this->share(pass, kernel, source, site);
+            if (share == 0.)
               continue;
             if (!is_near)
               {
@@ -383,8 +428,8 @@ namespace Setae
             if constexpr (is_projected<Law>)
               gap = kernel.add(site,
                                cell,
-                               fibers.ends_of_cell(target),
-                               factor * site.weight,
+                               fibers.place_of_cell(target),
+                               factor * share * site.weight,
                                request,
                                local);
             else if constexpr (has_offset)
@@ -409,11 +454,9 @@ namespace Setae
       double                    energy_of_unit_strength = 0.; ///< of this rank
       const SectionKernels<Law> kernels;
       const InteractionPoints   points;
-      NeighborList              neighbors;
-      std::unique_ptr<FarField> far_field; ///< none if all pairs are summed
-      std::vector<unsigned int> sources;   ///< owned
-      std::vector<unsigned int> targets;   ///< of all ranks
-      GapReport                 report;
+      std::vector<InteractionPass> passes;
+      std::unique_ptr<FarField>    far_field; ///< none if all pairs are summed
+      GapReport                    report;
 
       // Scratch, to save allocations.
       LocalSystem<24>               local;

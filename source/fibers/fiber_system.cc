@@ -166,12 +166,22 @@ namespace Setae
 
 
 
-  FiberEnds
-  FiberSystem::ends_of_cell(const unsigned int cell) const
+  CellPlace
+  FiberSystem::place_of_cell(const unsigned int cell) const
   {
-    const Fiber &fiber = fibers[fiber_of_cell[cell]];
-    return {!fiber.closed && cell == fiber.first_cell,
-            !fiber.closed && cell + 1 == fiber.first_cell + fiber.n_cells};
+    const Fiber               &fiber = fibers[fiber_of_cell[cell]];
+    const std::vector<double> &s     = fiber.arc_length;
+    const unsigned int         i     = cell - fiber.first_cell;
+    CellPlace                  result;
+    result.length = s[i + 1] - s[i];
+    if (!fiber.closed)
+      {
+        result.ends         = {i == 0, i + 1 == fiber.n_cells};
+        result.from_left    = s[i];
+        result.from_right   = s.back() - s[i + 1];
+        result.fiber_length = s.back();
+      }
+    return result;
   }
 
 

@@ -99,6 +99,51 @@ end)";
     return problem.assemble(Request::energy);
   }
 
+  /** Without displacements. */
+  double
+  energy_of_rest(const std::string &text)
+  {
+    return Assembled(text).assemble(Request::energy);
+  }
+
+  /**
+   * The end of one fiber an overhang beyond the axis of a long one that it
+   * crosses, in units of the radius 0.02 of both, at the gap 0.1.
+   */
+  std::string
+  end_across(const double overhang, const std::string &interaction)
+  {
+    const std::string end = std::to_string(.02 * overhang);
+    return R"(
+subsection fibers
+  set names = long, ends
+  subsection long
+    set centerline = s - 0.5; 0; 0
+    set radius     = 0.02
+    set cells      = 10
+  end
+  subsection ends
+    set centerline = 0; s - 1 + )" +
+           end + R"(; 0.042
+    set radius     = 0.02
+    set cells      = 10
+  end
+end
+subsection interactions
+  set names = law
+  subsection law
+    set law                  = tabulated-disk-cylinder
+    set cutoff               = 0.3
+    set switch width         = 0.5
+    set integration segments = 20
+    set exponents            = 6
+    set prefactors           = -1e-2
+)" + interaction +
+           R"(
+  end
+end)";
+  }
+
   const std::string thick_on_thin = "set source = thick \n set target = thin";
   const std::string thin_on_thick = "set source = thin \n set target = thick";
 } // namespace
@@ -114,6 +159,31 @@ TEST(Interaction, OfSectionAndBeamHasTheDerivativesOfItsEnergy)
 {
   expect_differences_of(crossing_fibers(thick_on_thin));
   expect_differences_of(crossing_fibers(thin_on_thick));
+}
+
+TEST(Interaction, WithTargetsThatEndHasTheDerivativesOfItsEnergy)
+{
+  const std::string finite =
+    "set law = oriented-disk-cylinder \n set target ends = finite \n";
+  expect_differences_of(crossing_fibers(finite + thick_on_thin));
+  expect_differences_of(crossing_fibers(finite + "set two half passes = true"));
+  expect_differences_of(open_ring(finite));
+}
+
+// The end of a source is where an integral ends, that of a target is made of
+// two passes. Inside and outside of the zone where these share the target, both
+// give the same but for what is not known of how a section sees a target that
+// fades.
+TEST(Interaction, DoesNotDependOnWhichFiberEnds)
+{
+  for (const double overhang : {-2., -.5, 0., .5, 1., 2., 3., 5., 8., 12.})
+    {
+      const double source = energy_of_rest(
+        end_across(overhang, "set source = ends \n set target = long"));
+      const double target = energy_of_rest(
+        end_across(overhang, "set source = long \n set target = ends"));
+      EXPECT_NEAR(target / source, 1., 1e-2) << "overhang " << overhang;
+    }
 }
 
 TEST(Interaction, InTwoHalfPassesHasTheDerivativesOfItsEnergy)

@@ -49,7 +49,7 @@ namespace
     expect_balance_of_momentum(c.cells, local, tolerance);
     expect_objective(
       [&](const CellPair &cells) {
-        return by_hand(interaction, {cells, c.x, c.ends});
+        return by_hand(interaction, {cells, c.x, c.place});
       },
       c.cells,
       50. * tolerance);
@@ -126,7 +126,7 @@ TEST(SectionBeam, HasThemAtTheEndOfAFiber)
         move_to(c.cells.source, c.x, c.cells.source.position(c.x) + beyond);
 
         EXPECT_EQ(by_hand(interaction, c).energy, 0.);
-        c.ends = {end == 0., end == 1.};
+        c.place.ends = {end == 0., end == 1.};
         expect_consistent(interaction, c);
       }
 }
@@ -201,7 +201,7 @@ TEST(SectionBeam, AgreesWithFiniteDifferences)
                                   const double         step) {
         expect_finite_differences(
           [&](const CellPair &cells) {
-            return by_hand(interaction, {cells, c.x, c.ends});
+            return by_hand(interaction, {cells, c.x, c.place});
           },
           c.cells,
           step,
@@ -233,8 +233,12 @@ TEST(SectionBeam, IsTheSameWithStraightParallelFibersSwapped)
     evaluate_sites(dealii::QGauss<1>(7), source, source, sites);
     LocalSystem<24> local;
     for (const LineSite &site : sites)
-      interaction.add(
-        site, target, {true, true}, site.weight, Request::residual, local);
+      interaction.add(site,
+                      target,
+                      CellPlace{FiberEnds{true, true}},
+                      site.weight,
+                      Request::residual,
+                      local);
     return local;
   };
   const auto ab = integral(lennard_jones({}, forward), a, b);
@@ -306,7 +310,7 @@ TEST(SectionBeam, IsZeroBeyondTheCutoff)
       LocalSystem<24>     local;
       EXPECT_EQ(interaction.add(site_at(c.cells.source, c.x),
                                 c.cells.target,
-                                c.ends,
+                                c.place,
                                 weight,
                                 Request::tangent,
                                 local),
@@ -327,7 +331,7 @@ TEST(SectionBeam, ReportsOverlapThatTheLawDoesNotAdmit)
       LocalSystem<24>     local;
       EXPECT_NEAR(interaction.add(site_at(c.cells.source, c.x),
                                   c.cells.target,
-                                  c.ends,
+                                  c.place,
                                   weight,
                                   Request::tangent,
                                   local),
@@ -395,7 +399,7 @@ TEST(SectionBeam, ReportsTheForceForOutput)
 
   std::vector<SiteForce> forces;
   interaction.forces(
-    site_at(c.cells.source, c.x), c.cells.target, c.ends, .5, forces);
+    site_at(c.cells.source, c.x), c.cells.target, c.place, .5, forces);
   ASSERT_EQ(forces.size(), 2u);
   EXPECT_LT((forces[0].force + forces[1].force).norm(), 1e-14);
   EXPECT_NEAR(forces[0].gap, 2e-3, 1e-15);

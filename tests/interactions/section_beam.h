@@ -78,8 +78,8 @@ namespace Setae
     struct Configuration
     {
       CellPair  cells;
-      double    x    = .3;
-      FiberEnds ends = {};
+      double    x     = .3;
+      CellPlace place = {};
     };
 
     template <typename Interaction>
@@ -89,7 +89,7 @@ namespace Setae
       LocalSystem<24> local;
       interaction.add(site_at(c.cells.source, c.x),
                       c.cells.target,
-                      c.ends,
+                      c.place,
                       weight,
                       Request::tangent,
                       local);
@@ -105,8 +105,8 @@ namespace Setae
       const auto    source = cell_of(q, 0, c.cells.source.h);
       const auto    target = cell_of(q, 12, c.cells.target.h);
       NestedFad<24> energy = 0.;
-      for (const Projection &projection :
-           closest_points(c.cells.target, c.cells.source.position(c.x), c.ends))
+      for (const Projection &projection : closest_points(
+             c.cells.target, c.cells.source.position(c.x), c.place.ends))
         energy += weight * interaction.energy(source.position(c.x),
                                               source.derivative(c.x),
                                               target,

@@ -31,21 +31,40 @@ namespace
       return Law(potential, radii, range);
   }
 
+  enum class Target
+  {
+    clamped,
+    ends,
+    fades
+  };
+
   template <typename Law>
   SectionBeam<Law>
-  interaction_of(const GapRange &range, const bool finite)
+  interaction_of(const GapRange &range, const Target target)
   {
     const PointPotential potential =
       lennard_jones_of_cylinders(gap_equilibrium, -1., radii);
-    std::vector<typename SectionBeam<Law>::EndTerm> terms;
-    if (finite)
-      for (const InversePower &power : potential)
-        terms.push_back({law_of<Law>({power}, range),
-                         EndFraction(power.exponent, radii, range),
-                         FlatEnd(power, radii, range)});
-    return {law_of<Law>(potential, range),
-            radii.radius_1 + radii.radius_2,
-            terms};
+    const Law    law = law_of<Law>(potential, range);
+    const double sum = radii.radius_1 + radii.radius_2;
+
+    std::vector<typename TargetEnd<Law>::Term>   ends;
+    std::vector<typename FadedTarget<Law>::Term> faded;
+    for (const InversePower &power : potential)
+      {
+        const Law         alone = law_of<Law>({power}, range);
+        const EndFraction fraction(power.exponent, radii, range);
+        ends.push_back({alone, fraction, FlatEnd(power, radii, range)});
+        faded.push_back({alone, fraction});
+      }
+    switch (target)
+      {
+        case Target::ends:
+          return {law, sum, TargetEnd<Law>(ends)};
+        case Target::fades:
+          return {law, sum, FadedTarget<Law>(sum, faded)};
+        default:
+          return {law, sum};
+      }
   }
 
   template <typename Interaction>
@@ -56,13 +75,13 @@ namespace
     const auto    source = cell_of(q, 0, c.cells.source.h);
     const auto    target = cell_of(q, 12, c.cells.target.h);
     NestedFad<24> energy = 0.;
-    for (const Projection &projection :
-         closest_points(c.cells.target, c.cells.source.position(c.x), c.ends))
+    for (const Projection &projection : closest_points(
+           c.cells.target, c.cells.source.position(c.x), c.place.ends))
       energy += weight * interaction.energy(source.position(c.x),
                                             source.derivative(c.x),
                                             target,
                                             projection,
-                                            c.ends);
+                                            c.place);
     return local_system<24>(energy);
   }
 
@@ -78,7 +97,7 @@ namespace
     expect_balance_of_momentum(c.cells, local, tolerance);
     expect_objective(
       [&](const CellPair &cells) {
-        return by_hand(interaction, {cells, c.x, c.ends});
+        return by_hand(interaction, {cells, c.x, c.place});
       },
       c.cells,
       50. * tolerance);
@@ -98,7 +117,7 @@ namespace
 TYPED_TEST(SectionBeamOfLaw, HasTheDerivativesOfTheEnergy)
 {
   std::mt19937 random(1);
-  const auto   interaction = interaction_of<TypeParam>({}, false);
+  const auto   interaction = interaction_of<TypeParam>({}, Target::clamped);
   for (const double gap : {1e-6, 1e-3, .03, .3})
     for (unsigned int i = 0; i < 8; ++i)
       expect_consistent(interaction,
@@ -111,7 +130,7 @@ TYPED_TEST(SectionBeamOfLaw, HasTheDerivativesOfTheEnergy)
 TYPED_TEST(SectionBeamOfLaw, HasThemBeforeAndBeyondTheEnd)
 {
   std::mt19937 random(2);
-  const auto   interaction = interaction_of<TypeParam>({}, true);
+  const auto   interaction = interaction_of<TypeParam>({}, Target::ends);
   for (const double gap : {1e-3, .02})
     for (const double end : {0., 1.})
       for (const double beyond : {-.1, -.01, -1e-3, 1e-4, 2e-3})
@@ -123,7 +142,7 @@ TYPED_TEST(SectionBeamOfLaw, HasThemBeforeAndBeyondTheEnd)
                   c.x,
                   c.cells.source.position(c.x) +
                     (2. * end - 1.) * beyond * tangent / tangent.norm());
-          c.ends = {end == 0. || beyond > 0., end == 1.};
+          c.place.ends = {end == 0. || beyond > 0., end == 1.};
           expect_consistent(interaction, c, 1e-10);
         }
 }
@@ -135,7 +154,7 @@ TYPED_TEST(SectionBeamOfLaw, HasThemBeforeAndBeyondTheEnd)
 TYPED_TEST(SectionBeamOfLaw, HasThemInFrontOfTheEnd)
 {
   std::mt19937 random(5);
-  const auto   interaction = interaction_of<TypeParam>({}, true);
+  const auto   interaction = interaction_of<TypeParam>({}, Target::ends);
   for (const double gap : {1e-3, .01, .1})
     for (const double lateral : {0., .013, .03, .045})
       {
@@ -149,9 +168,44 @@ TYPED_TEST(SectionBeamOfLaw, HasThemInFrontOfTheEnd)
                 c.cells.target.position(1.) +
                   (gap + radii.radius_1 * sine) * t2 +
                   lateral * random_normal_to(t2, random));
-        c.ends = {false, true};
+        c.place.ends = {false, true};
         expect_consistent(interaction, c, 1e-9);
       }
+}
+
+
+
+// Both ends of a target of one cell, where it begins to fade, half-way, where
+// nothing is left but what is farther along, and beyond the end.
+TYPED_TEST(SectionBeamOfLaw, HasThemWhereTheTargetFades)
+{
+  std::mt19937 random(6);
+  const auto   interaction = interaction_of<TypeParam>({}, Target::fades);
+
+  constexpr double cell_length = .6;
+  for (const double gap : {1e-3, .02, .1})
+    for (const double end : {0., 1.})
+      for (const double inside : {.27, .22, .15, .08, .03, -.02})
+        {
+          // Beyond the end on the axis, if the gap is small
+          const double  lateral = inside < 0. && gap < .01 ? .002 : .05 + gap;
+          const double  s       = std::max(inside, 0.) / cell_length;
+          Configuration c       = random_configuration(
+            random, .1, end == 0. ? s : 1. - s, lateral, -.5);
+          const Tensor<1, 3> tangent = c.cells.target.derivative(end);
+          if (inside < 0.)
+            move_to(c.cells.source,
+                    c.x,
+                    c.cells.source.position(c.x) +
+                      (1. - 2. * end) * inside * tangent / tangent.norm());
+          c.place = {{true, true}, 0., 0., cell_length, cell_length};
+          if (inside > .1 || (gap > .01 && inside > 0.))
+            expect_consistent(interaction, c, 1e-10);
+          else
+            expect_equal(by_hand(interaction, c),
+                         by_sacado_with_ends(interaction, c),
+                         1e-10);
+        }
 }
 
 
@@ -159,12 +213,13 @@ TYPED_TEST(SectionBeamOfLaw, HasThemInFrontOfTheEnd)
 TYPED_TEST(SectionBeamOfLaw, HasThemWhereItIsRegularizedOrSwitchedOff)
 {
   std::mt19937 random(3);
-  const auto   interaction = interaction_of<TypeParam>({1e-3, .05, .1}, true);
+  const auto   interaction =
+    interaction_of<TypeParam>({1e-3, .05, .1}, Target::ends);
   for (const double gap : {8e-4, 2e-4, -2e-3, .075})
     for (unsigned int i = 0; i < 5; ++i)
       {
         Configuration c = random_configuration(random, .2, .9, .05 + gap);
-        c.ends          = {false, true};
+        c.place.ends    = {false, true};
         expect_consistent(interaction, c, 1e-10);
       }
 }
@@ -175,7 +230,7 @@ TYPED_TEST(SectionBeamOfLaw, HasThemWhereItIsRegularizedOrSwitchedOff)
 // from all of it to nothing, and neither force nor stiffness jumps.
 TYPED_TEST(SectionBeamOfLaw, PassesTheEndWithoutAJump)
 {
-  const auto          interaction = interaction_of<TypeParam>({}, true);
+  const auto          interaction = interaction_of<TypeParam>({}, Target::ends);
   const Tensor<1, 3>  e({1., 0., 0.}), f({.5, .052, .003});
   const HermiteCell<> target = {{{Tensor<1, 3>(), e, e, e}}, 1.};
   const Tensor<1, 3>  direction({1., .1, .2});
@@ -185,7 +240,7 @@ TYPED_TEST(SectionBeamOfLaw, PassesTheEndWithoutAJump)
     c.cells.target = target;
     c.cells.source = {{{f, direction, f + direction, direction}}, 1.};
     move_to(c.cells.source, c.x, Tensor<1, 3>({place, f[1], f[2]}));
-    c.ends = {false, true};
+    c.place.ends = {false, true};
     return by_hand(interaction, c);
   };
   const LocalSystem<24> inside = at(1. - 1e-9), outside = at(1. + 1e-9);

@@ -39,15 +39,11 @@ namespace
   energy(const TargetEnd<Law> &end, const FlatEnd::Pose<double> &pose)
   {
     return end.value({true, false},
-                     pose.square,
-                     pose.along,
-                     pose.cosine,
-                     pose.z / length,
-                     length,
-                     [](const Law   &law,
-                        const double g,
-                        const double c,
-                        const double t) { return law.energy(g, c, t); });
+                     SectionPose<double>{pose.square,
+                                         pose.along,
+                                         pose.cosine,
+                                         pose.z / length,
+                                         length});
   }
 
   /** A section with its center at (d, z) beside the axis. */

@@ -96,33 +96,54 @@ namespace Setae
       : std::true_type
     {};
 
-    /** The law of each power of the potential before the end of a target. */
+    /** The law of each power of the potential alone. */
     template <typename Law>
-    std::vector<typename SectionBeam<Law>::EndTerm>
-    end_terms(const InteractionParameters &parameters,
-              const PointPotential        &potential,
-              const SectionPair           &sections,
-              const Law                   &law)
+    std::vector<Law>
+    laws_of_powers(const InteractionParameters &parameters,
+                   const PointPotential        &potential,
+                   const SectionPair           &sections,
+                   const Law                   &law)
     {
-      const GapRange range = gap_range(parameters);
-      std::vector<typename SectionBeam<Law>::EndTerm> terms;
+      std::vector<Law> result;
+      for (unsigned int i = 0; i < potential.size(); ++i)
+        // No table is made twice.
+        if constexpr (HasSinglePowers<Law>::value)
+          result.push_back(law.single_power(i));
+        else
+          result.push_back(make_law<Law>({potential[i]},
+                                         sections,
+                                         gap_range(parameters),
+                                         law_accuracy(parameters)));
+      (void)law;
+      return result;
+    }
+
+    /** The kernel before targets that fade or, in their zone, end. */
+    template <typename Law>
+    SectionBeam<Law>
+    make_finite(const InteractionParameters &parameters,
+                const SectionPair           &sections,
+                const Law                   &law,
+                const bool                   fades)
+    {
+      const double         radii     = sections.radius_1 + sections.radius_2;
+      const GapRange       range     = gap_range(parameters);
+      const PointPotential potential = point_potential(parameters, sections);
+      const auto laws = laws_of_powers(parameters, potential, sections, law);
+      std::vector<typename TargetEnd<Law>::Term>   ends;
+      std::vector<typename FadedTarget<Law>::Term> faded;
       for (unsigned int i = 0; i < potential.size(); ++i)
         {
           const EndFraction fraction(potential[i].exponent, sections, range);
-          const FlatEnd     flat_end(potential[i], sections, range);
-          // No table is made twice.
-          if constexpr (HasSinglePowers<Law>::value)
-            terms.push_back({law.single_power(i), fraction, flat_end});
+          if (fades)
+            faded.push_back({laws[i], fraction});
           else
-            terms.push_back({make_law<Law>({potential[i]},
-                                           sections,
-                                           range,
-                                           law_accuracy(parameters)),
-                             fraction,
-                             flat_end});
+            ends.push_back(
+              {laws[i], fraction, FlatEnd(potential[i], sections, range)});
         }
-      (void)law;
-      return terms;
+      if (fades)
+        return {law, radii, FadedTarget<Law>(radii, std::move(faded))};
+      return {law, radii, TargetEnd<Law>(std::move(ends))};
     }
   } // namespace internal
 
@@ -141,49 +162,79 @@ namespace Setae
 
 
 
-  /** The kernel that @p parameters ask for between two sections. */
+  /** Whether the ends of targets are no ends of infinite cylinders. */
+  template <typename Law>
+  bool
+  has_finite_targets(const InteractionParameters &parameters)
+  {
+    if constexpr (is_projected<Law> && !std::is_same_v<Law, PenaltyContact>)
+      return parameters.target_ends == "finite" ||
+             (Law::depends_on == Invariants::gap_angle_tilt &&
+              parameters.target_ends == "by law");
+    else
+      return false;
+  }
+
+
+
+  /** The law that @p parameters ask for between two sections. */
+  template <typename Law>
+  Law
+  make_law_between(const InteractionParameters &parameters,
+                   const SectionPair           &sections)
+  {
+    if constexpr (std::is_same_v<Law, PenaltyContact>)
+      return PenaltyContact(parameters.penalty);
+    else
+      {
+        GapRange range = internal::gap_range(parameters);
+        if (parameters.cutoff_of == "forces")
+          range.cutoff_begin = range.cutoff = GapRange().cutoff;
+        return make_law<Law>(point_potential(parameters, sections),
+                             sections,
+                             range,
+                             internal::law_accuracy(parameters));
+      }
+  }
+
+
+
+  /**
+   * The kernel that @p parameters ask for between two sections.
+   *
+   * @param law From make_law_between().
+   * @param source_is_zone Whether the sites of the source are those of its
+   * EndZone, before targets that do not fade.
+   */
   template <typename Law>
   Kernel<Law>
   make_kernel(const InteractionParameters &parameters,
-              const SectionPair           &sections)
+              const SectionPair           &sections,
+              const Law                   &law,
+              const bool                   source_is_zone = false)
   {
     const double radii = sections.radius_1 + sections.radius_2;
-    if constexpr (std::is_same_v<Law, PenaltyContact>)
-      return {PenaltyContact(parameters.penalty), radii};
+    if constexpr (Law::depends_on == Invariants::gap_offset)
+      {
+        const GapRange range = internal::gap_range(parameters);
+        return {law,
+                radii,
+                parameters.frame == "source" ? OffsetAxis::source :
+                                               OffsetAxis::averaged,
+                parameters.interaction_moments,
+                parameters.cutoff_of == "forces" ?
+                  CutoffSwitch(range.cutoff_begin, range.cutoff) :
+                  CutoffSwitch()};
+      }
     else
       {
-        const PointPotential potential = point_potential(parameters, sections);
-        GapRange             range     = internal::gap_range(parameters);
-        CutoffSwitch         force_switch;
-        if (parameters.cutoff_of == "forces")
-          {
-            std::swap(range.cutoff_begin, force_switch.begin);
-            std::swap(range.cutoff, force_switch.end);
-          }
-        const Law law = make_law<Law>(potential,
-                                      sections,
-                                      range,
-                                      internal::law_accuracy(parameters));
-        if constexpr (Law::depends_on == Invariants::gap_offset)
-          return {law,
-                  radii,
-                  parameters.frame == "source" ? OffsetAxis::source :
-                                                 OffsetAxis::averaged,
-                  parameters.interaction_moments,
-                  force_switch};
-        else if constexpr (is_projected<Law>)
-          {
-            const bool by_law = Law::depends_on == Invariants::gap_angle_tilt;
-            if (parameters.target_ends == "finite" ||
-                (by_law && parameters.target_ends == "by law"))
-              return {
-                law,
-                radii,
-                internal::end_terms(parameters, potential, sections, law)};
-            return {law, radii};
-          }
-        else
-          return {law, radii};
+        if constexpr (is_projected<Law> && !std::is_same_v<Law, PenaltyContact>)
+          if (has_finite_targets<Law>(parameters))
+            return internal::make_finite(parameters,
+                                         sections,
+                                         law,
+                                         !source_is_zone);
+        return {law, radii};
       }
   }
 } // namespace Setae

@@ -9,15 +9,20 @@
 #include <setae/base/exceptions.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <map>
 #include <set>
 #include <string>
-#include <utility>
+#include <tuple>
 
 namespace Setae
 {
-  /** The kernels of an interaction, one for each pair of sections. */
+  /**
+   * The kernels of an interaction, one for each pair of sections; if targets
+   * are finite, a second one with the roles exchanged for the sections in the
+   * EndZone of a target.
+   */
   template <typename Law>
   class SectionKernels
   {
@@ -39,33 +44,74 @@ namespace Setae
       for (const unsigned int s : sources)
         for (const unsigned int t : targets)
           {
-            const SectionPair sections = section_pair(parameters,
-                                                      fibers.scene.fibers[s],
-                                                      fibers.scene.fibers[t]);
-            check_equal(parameters, sections);
-            const Kernel<Law> kernel = make_kernel<Law>(parameters, sections);
-            kernels.emplace(std::make_pair(s, t), kernel);
-            largest_reach = std::max(largest_reach, kernel.reach());
-            smallest_radius =
-              std::min({smallest_radius, sections.radius_1, sections.radius_2});
+            make(parameters, s, t, false);
+            if (has_finite_targets<Law>(parameters))
+              make(parameters, t, s, true);
           }
     }
 
-    /** The kernel between two cells. */
+    /**
+     * The kernel between two cells.
+     *
+     * @param source_is_zone Whether the source is a target of the interaction.
+     */
     const Kernel<Law> &
-    between(const unsigned int source, const unsigned int target) const
+    between(const unsigned int source,
+            const unsigned int target,
+            const bool         source_is_zone = false) const
     {
       return kernels
         .find({fibers.fibers[fibers.fiber_of_cell[source]].parameters,
-               fibers.fibers[fibers.fiber_of_cell[target]].parameters})
+               fibers.fibers[fibers.fiber_of_cell[target]].parameters,
+               source_is_zone})
         ->second;
     }
 
-    double largest_reach = 0.; ///< [length]
+    double largest_reach  = 0.; ///< [length]
+    double largest_radius = 0.; ///< [length]
     double smallest_radius =
       std::numeric_limits<double>::infinity(); ///< [length]
 
   private:
+    void
+    make(const InteractionParameters &parameters,
+         const unsigned int           source,
+         const unsigned int           target,
+         const bool                   source_is_zone)
+    {
+      const SectionPair sections = section_pair(parameters,
+                                                fibers.scene.fibers[source],
+                                                fibers.scene.fibers[target]);
+      check_equal(parameters, sections);
+      const Kernel<Law> kernel = make_kernel(parameters,
+                                             sections,
+                                             law_between(parameters, sections),
+                                             source_is_zone);
+      kernels.emplace(std::make_tuple(source, target, source_is_zone), kernel);
+      largest_reach = std::max(largest_reach, kernel.reach());
+      for (const double radius : {sections.radius_1, sections.radius_2})
+        {
+          largest_radius  = std::max(largest_radius, radius);
+          smallest_radius = std::min(smallest_radius, radius);
+        }
+    }
+
+    /** No table is made twice. */
+    const Law &
+    law_between(const InteractionParameters &parameters,
+                const SectionPair           &sections)
+    {
+      const std::array<double, 4> key = {{sections.radius_1,
+                                          sections.radius_2,
+                                          sections.density_1,
+                                          sections.density_2}};
+      const auto                  law = laws.find(key);
+      if (law != laws.end())
+        return law->second;
+      return laws.emplace(key, make_law_between<Law>(parameters, sections))
+        .first->second;
+    }
+
     static void
     check_equal(const InteractionParameters &parameters,
                 const SectionPair           &sections)
@@ -80,8 +126,9 @@ namespace Setae
                                "differ in radius or number density"));
     }
 
-    const FiberSystem                                           &fibers;
-    std::map<std::pair<unsigned int, unsigned int>, Kernel<Law>> kernels;
+    const FiberSystem                                                  &fibers;
+    std::map<std::array<double, 4>, Law>                                laws;
+    std::map<std::tuple<unsigned int, unsigned int, bool>, Kernel<Law>> kernels;
   };
 } // namespace Setae
 

@@ -15,8 +15,8 @@
 
 #include <deal.II/lac/trilinos_vector.h>
 
+#include <setae/fibers/cell_place.h>
 #include <setae/fibers/centerline.h>
-#include <setae/kinematics/closest_point.h>
 #include <setae/scene.h>
 
 #include <limits>
@@ -99,9 +99,9 @@ namespace Setae
       return scene.fibers[fibers[fiber_of_cell[cell]].parameters];
     }
 
-    /** Which ends of the fiber the nodes of @p cell are. */
-    FiberEnds
-    ends_of_cell(const unsigned int cell) const;
+    /** Where on its fiber @p cell is. */
+    CellPlace
+    place_of_cell(const unsigned int cell) const;
 
     /** How many cells lie between two cells of one fiber, plus one. */
     unsigned int

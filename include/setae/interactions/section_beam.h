@@ -4,11 +4,12 @@
 #ifndef setae_interactions_section_beam_h
 #define setae_interactions_section_beam_h
 
+#include <setae/interactions/faded_target.h>
 #include <setae/interactions/target_end.h>
 #include <setae/laws/disk_contact.h>
 
+#include <algorithm>
 #include <limits>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -18,7 +19,11 @@ namespace Setae
    * Interaction of every section of a source cell with the target cell next to
    * it (SBIP eq. 14): one integral over the source, with the law evaluated
    * between a site and its closest points on the target. SiteProjection moves
-   * these with the degrees of freedom, TargetEnd takes the ends into account.
+   * these with the degrees of freedom.
+   *
+   * Beyond the end of a target, the closest point stays at its last point
+   * (SBIP), which a law with tilt cannot do, or it moves on along the tangent
+   * and the target ends (TargetEnd) or fades (FadedTarget) there.
    *
    * @tparam Law A law of gap and cos(alpha), for example DiskCylinder, or of gap,
    * cos(alpha) and tilt, for example TabulatedDiskCylinder.
@@ -27,25 +32,30 @@ namespace Setae
   class SectionBeam
   {
   public:
-    using EndTerm = typename TargetEnd<Law>::Term;
-
-    /**
-     * @param end_terms The law of each power, if the ends of a target are
-     * treated as such; empty to stay at the last point of the target beyond its
-     * end (SBIP), which a law with tilt cannot do.
-     */
-    SectionBeam(const Law           &law,
-                const double         sum_of_radii,
-                std::vector<EndTerm> end_terms = {})
+    SectionBeam(const Law &law, const double sum_of_radii)
       : law(law)
       , sum_of_radii(sum_of_radii)
-      , end(std::move(end_terms))
+    {}
+
+    SectionBeam(const Law &law, const double sum_of_radii, TargetEnd<Law> end)
+      : law(law)
+      , sum_of_radii(sum_of_radii)
+      , end(std::move(end))
+    {}
+
+    SectionBeam(const Law       &law,
+                const double     sum_of_radii,
+                FadedTarget<Law> fading)
+      : law(law)
+      , sum_of_radii(sum_of_radii)
+      , fading(std::move(fading))
     {}
 
     /**
      * Add the interaction of one site, times @p weight, to the system of the two
      * cells (source first).
      *
+     * @param place Where the target cell is on its fiber.
      * @return The smallest gap to the target cell [length], infinity beyond the
      * cutoff. Nothing is added if the law cannot be evaluated because the gap
      * is not positive and the law not regularized: the caller must then discard
@@ -54,38 +64,40 @@ namespace Setae
     double
     add(const LineSite      &site,
         const HermiteCell<> &target,
-        const FiberEnds     &ends,
+        const CellPlace     &place,
         const double         weight,
         const Request        request,
         LocalSystem<24>     &local) const
     {
       double smallest_gap = std::numeric_limits<double>::infinity();
-      for (const Projection &closest : closest_points(target, site.r, ends))
-        {
-          const SiteProjection pair(site,
-                                    target,
-                                    continued(closest, target, site.r));
-          const GapAngle       geometry(pair.points, sum_of_radii);
-          if (geometry.gap >= law.cutoff())
-            continue;
-          const double gap = this->gap(pair, geometry, ends);
-          smallest_gap     = std::min(smallest_gap, gap);
-          if (!law.admits(gap))
-            continue;
-
-          if (end.is_finite(ends))
+      for_each_projection(
+        site,
+        target,
+        place,
+        [&](const SiteProjection &pair,
+            const GapAngle       &geometry,
+            const Standing       &standing) {
+          smallest_gap = std::min(smallest_gap, standing.gap);
+          if (!law.admits(standing.gap))
+            return;
+          if (standing.near_end)
             {
-              const EndEnergy energy =
-                end.energy(ends, pair.projection.x, geometry, weight);
+              const PlacedEnergy energy =
+                chain_rule(weight *
+                             energy_near_end(place,
+                                             section_pose(geometry,
+                                                          pair.projection.x)),
+                           geometry);
               local.energy += energy.pair.value;
               if (request >= Request::residual)
                 pair.distribute(energy.pair,
                                 &energy.coordinate,
                                 request,
                                 local);
-              continue;
+              return;
             }
-          const auto derivatives = weight * place(geometry).derivatives(law);
+          const auto derivatives =
+            weight * surrogate(geometry).derivatives(law);
           local.energy += derivatives.value;
           if (request >= Request::residual)
             pair.distribute(geometry.energy(derivatives,
@@ -93,7 +105,7 @@ namespace Setae
                             nullptr,
                             request,
                             local);
-        }
+        });
       return smallest_gap;
     }
 
@@ -103,31 +115,35 @@ namespace Setae
     void
     forces(const LineSite         &site,
            const HermiteCell<>    &target,
-           const FiberEnds        &ends,
+           const CellPlace        &place,
            const double            factor,
            std::vector<SiteForce> &result) const
     {
-      for (const Projection &closest : closest_points(target, site.r, ends))
-        {
-          const SiteProjection pair(site,
-                                    target,
-                                    continued(closest, target, site.r));
-          const GapAngle       geometry(pair.points, sum_of_radii);
-          if (geometry.gap >= law.cutoff())
-            continue;
-          const double gap = this->gap(pair, geometry, ends);
-          if (!law.admits(gap))
-            continue;
+      for_each_projection(
+        site,
+        target,
+        place,
+        [&](const SiteProjection &pair,
+            const GapAngle       &geometry,
+            const Standing       &standing) {
+          if (!law.admits(standing.gap))
+            return;
           PointPairEnergy energy;
-          if (end.is_finite(ends))
-            energy = end.energy(ends, pair.projection.x, geometry, factor).pair;
+          if (standing.near_end)
+            energy =
+              chain_rule(factor *
+                           energy_near_end(
+                             place, section_pose(geometry, pair.projection.x)),
+                         geometry)
+                .pair;
           else
             energy =
-              geometry.energy(factor * place(geometry).derivatives(law), false);
+              geometry.energy(factor * surrogate(geometry).derivatives(law),
+                              false);
           const Tensor<1, 3> force = -energy.gradient[PointPairIndex::r1];
-          result.push_back({pair.points.r1, force, gap});
-          result.push_back({pair.points.r2, -force, gap});
-        }
+          result.push_back({pair.points.r1, force, standing.gap});
+          result.push_back({pair.points.r2, -force, standing.gap});
+        });
     }
 
     /**
@@ -141,12 +157,10 @@ namespace Setae
            const Tensor<1, 3, Number> &a1,
            const HermiteCell<Number>  &target,
            const Projection           &projection,
-           const FiberEnds            &ends = {}) const
+           const CellPlace            &place = {}) const
     {
       using std::sqrt;
-      const bool           finite = end.is_finite(ends);
-      const bool           beyond = finite && !projection.moves;
-      Number               x      = projection.x;
+      Number               x  = projection.x;
       Tensor<1, 3, Number> r2 = target.position(x), a2 = target.derivative(x);
       if (projection.moves)
         {
@@ -159,7 +173,7 @@ namespace Setae
           r2 = target.position(x);
           a2 = target.derivative(x);
         }
-      else if (beyond)
+      else if (moves_on())
         {
           const Number step = ((r1 - r2) * a2) / (a2 * a2);
           x += step;
@@ -167,25 +181,24 @@ namespace Setae
         }
       const Tensor<1, 3, Number> d = r1 - r2;
       const Number length_1 = sqrt(a1 * a1), length_2 = sqrt(a2 * a2);
-      const Number cosine   = (a1 * a2) / (length_1 * length_2);
-      const Number along    = (a1 * d) / length_1;
-      const auto   evaluate = [](const Law    &law,
-                               const Number &gap,
-                               const Number &cosine,
-                               const Number &tilt) {
-        if constexpr (has_tilt)
-          return law.energy(gap, cosine, tilt);
-        else
-          return law.energy(gap, cosine);
-      };
-      if (finite)
-        return end.value(
-          ends, Number(d * d), along, cosine, x, length_2, evaluate);
+      const Number cosine = (a1 * a2) / (length_1 * length_2);
+      const Number along  = (a1 * d) / length_1;
+      if (fading.is_finite() || end.is_finite(place.ends))
+        return energy_near_end(
+          place,
+          SectionPose<Number>{Number(d * d), along, cosine, x, length_2});
       const Number distance = sqrt(d * d);
-      return evaluate(law,
-                      Number(distance - sum_of_radii),
-                      cosine,
-                      Number(along / distance));
+      return evaluate_law(law,
+                          Number(distance - sum_of_radii),
+                          cosine,
+                          Number(along / distance));
+    }
+
+    /** The share of a site of the source that is in its EndZone. */
+    double
+    share_of_zone(const CellPlace &source, const double x) const
+    {
+      return EndZone(sum_of_radii, source.fiber_length).share(source, x);
     }
 
     /** Distance of two centerlines from which on the law is zero [length]. */
@@ -196,11 +209,8 @@ namespace Setae
     }
 
   private:
-    static constexpr bool has_tilt =
-      std::is_invocable_v<Law, double, double, double>;
-
     /** A law of gap and angle at a site. */
-    struct GapAnglePlace
+    struct GapAngleSurrogate
     {
       const GapAngle &geometry;
 
@@ -218,7 +228,7 @@ namespace Setae
     };
 
     /** A law of gap, angle and tilt at a site. */
-    struct ContactPlace
+    struct ContactSurrogate
     {
       const GapAngle     &geometry;
       DiskContact<double> contact;
@@ -237,28 +247,98 @@ namespace Setae
     };
 
     auto
-    place(const GapAngle &geometry) const
+    surrogate(const GapAngle &geometry) const
     {
-      if constexpr (has_tilt)
-        return ContactPlace{
+      if constexpr (has_tilt<Law>)
+        return ContactSurrogate{
           geometry, law.contact(geometry.gap, geometry.cosine, geometry.tilt)};
       else
-        return GapAnglePlace{geometry};
+        return GapAngleSurrogate{geometry};
     }
 
-    /** Distance of a section and the target: its side or an end. */
-    double
-    gap(const SiteProjection &pair,
-        const GapAngle       &geometry,
-        const FiberEnds      &ends) const
+    /** How a section stands before the target. */
+    struct Standing
     {
-      if (!end.is_finite(ends))
-        return place(geometry).gap();
-      const double square = geometry.d * geometry.d;
-      const double of_end = end.clearance(
-        ends, pair.projection.x, square, geometry.d * geometry.t1, geometry);
-      return end.has_side(square) ? std::max(of_end, place(geometry).gap()) :
-                                    of_end;
+      double gap;      ///< to what there is of the target [length]
+      bool   near_end; ///< so that it is not infinite
+      bool   acts;     ///< whether there is anything of it
+    };
+
+    /** Call a function for every closest point within the cutoff. */
+    template <typename Function>
+    void
+    for_each_projection(const LineSite      &site,
+                        const HermiteCell<> &target,
+                        const CellPlace     &place,
+                        const Function      &function) const
+    {
+      for (const Projection &closest :
+           closest_points(target, site.r, place.ends))
+        {
+          const SiteProjection pair(site,
+                                    target,
+                                    continued(closest, target, site.r));
+          const GapAngle       geometry(pair.points, sum_of_radii);
+          if (geometry.gap >= law.cutoff())
+            continue;
+          const Standing standing = this->standing(pair, geometry, place);
+          if (standing.acts)
+            function(pair, geometry, standing);
+        }
+    }
+
+    Standing
+    standing(const SiteProjection &pair,
+             const GapAngle       &geometry,
+             const CellPlace      &place) const
+    {
+      const SectionPose<double> pose = {geometry.d * geometry.d,
+                                        geometry.d * geometry.t1,
+                                        geometry.cosine,
+                                        pair.projection.x,
+                                        geometry.length_2};
+      if (fading.is_finite())
+        {
+          const auto at            = fading.surrogate(place, pose);
+          const auto [least, most] = fading.parts(place, pose, at);
+          if (!(most > 0.))
+            return {0., true, false};
+          return {clearance(at.gap, pose.cosine, at.tilt), least < 1., true};
+        }
+      if (!end.is_finite(place.ends))
+        return {surrogate(geometry).gap(), false, true};
+      const double of_end = end.clearance(place.ends, pose);
+      return {end.has_side(pose.square) ?
+                std::max(of_end, surrogate(geometry).gap()) :
+                of_end,
+              true,
+              true};
+    }
+
+    /** Distance of a section and an infinite cylinder. */
+    double
+    clearance(const double gap, const double cosine, const double tilt) const
+    {
+      if constexpr (has_tilt<Law>)
+        return law.contact(gap, cosine, tilt).clearance();
+      else
+        return gap;
+    }
+
+    template <typename Number>
+    Number
+    energy_near_end(const CellPlace           &place,
+                    const SectionPose<Number> &pose) const
+    {
+      return fading.is_finite() ? fading.value(place, pose) :
+                                  end.value(place.ends, pose);
+    }
+
+    /** Whether the closest point does not stop at the end of a target. */
+    bool
+    moves_on() const
+    {
+      return end.is_finite() || fading.is_finite();
     }
 
     /** Let a closest point move on along the tangent at the end of a fiber. */
@@ -267,16 +347,17 @@ namespace Setae
               const HermiteCell<> &target,
               const Tensor<1, 3>  &point) const
     {
-      if (projection.moves || !end.is_finite())
+      if (projection.moves || !moves_on())
         return projection;
       const Tensor<1, 3> tangent = target.derivative(projection.x);
       const Tensor<1, 3> d       = point - target.position(projection.x);
       return {projection.x + d * tangent / tangent.norm_square(), true};
     }
 
-    Law            law;
-    double         sum_of_radii;
-    TargetEnd<Law> end;
+    Law              law;
+    double           sum_of_radii;
+    TargetEnd<Law>   end;
+    FadedTarget<Law> fading;
   };
 } // namespace Setae
 

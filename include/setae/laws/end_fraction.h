@@ -6,6 +6,7 @@
 
 #include <setae/laws/point_potential.h>
 #include <setae/laws/short_range.h>
+#include <setae/laws/smooth_cutoff.h>
 
 #include <cmath>
 #include <vector>
@@ -70,33 +71,49 @@ namespace Setae
           const Number &z) const
     {
       using std::sqrt;
-      const Number T = tilt * tilt;
-      const Number g =
-        .5 *
-        (distance + sqrt(distance * distance + R1 * R1 * smallest * smallest));
+      return reach(gap, z) *
+             sum_of_sheets(
+               distance,
+               cosine,
+               tilt,
+               [&](const Number &offset, const Number &width_square) -> Number {
+                 return of_sheet(Number((z + offset) / sqrt(width_square)));
+               });
+    }
 
-      // The point of the section that is nearest, and how wide the section is
-      // there along the target: by the curvature of its edge and, where it
-      // turns its face to the target, by its face.
-      const Number C = cosine * cosine, W = R1 * R1 * (1. - T);
-      const Number Q       = sqrt(W + g * g);
-      const Number nearest = z + R1 * R1 / Q * cosine * tilt;
-      const Number edge    = .4 * R1 * R1 / Q * (1. - C - T);
-      const Number face    = .5 * R1 * g / Q;
+    /** The distance of a disk that is not inclined, from its DiskContact::H. */
+    template <typename Number>
+    Number
+    hardened(const Number &H) const
+    {
+      using std::sqrt;
+      return H + H * H / (sqrt(R1 * R1 + H * H) + R1);
+    }
 
-      const Number scale = (R1 + R2 + far_scale * g) / (R1 + R2 + g);
-
-      Number sum = 0.;
-      for (const Sheet &sheet : sheets)
-        {
-          const Number depth =
-            (R1 + R2) * sheet.depth * g / (R1 + R2 + sheet.depth * g);
-          const Number x = (g + depth) * scale;
-          sum += sheet.weight *
-                 of_sheet(Number(nearest / sqrt(x * x + edge * depth +
-                                                face * face * (1. - C))));
-        }
-      return sum * reach(gap, z);
+    /**
+     * The same for a target that does not end but fades: over the length 2b
+     * with CutoffSwitch, half of it at z = 0. Of a sheet the transition is as
+     * wide as fading and sheet together, measured by their variances.
+     */
+    template <typename Number>
+    Number
+    of_fading(const Number &distance,
+              const Number &cosine,
+              const Number &tilt,
+              const Number &z,
+              const Number &b) const
+    {
+      using std::sqrt;
+      constexpr double n        = 7.; // b^2 / 7 is the variance of the switch
+      const double     variance = 1. / (m - 3.); // of a sheet
+      return sum_of_sheets(
+        distance,
+        cosine,
+        tilt,
+        [&](const Number &offset, const Number &width_square) -> Number {
+          const Number width = sqrt(b * b + n * variance * width_square);
+          return CutoffSwitch(-1., 1.).value(Number(-(z + offset) / width));
+        });
     }
 
   private:
@@ -124,6 +141,46 @@ namespace Setae
     {
       return .5 * std::sqrt(M_PI) * std::tgamma((m - 1.) / 2.) /
              std::tgamma(m / 2.);
+    }
+
+    /** Over all sheets of @p part, a function of how far the nearest point is
+     * farther inside than the center of the section, and of the square of the
+     * distance x. */
+    template <typename Number, typename Part>
+    Number
+    sum_of_sheets(const Number &distance,
+                  const Number &cosine,
+                  const Number &tilt,
+                  const Part   &part) const
+    {
+      using std::sqrt;
+      const Number T = tilt * tilt;
+      const Number g =
+        .5 *
+        (distance + sqrt(distance * distance + R1 * R1 * smallest * smallest));
+
+      // The point of the section that is nearest, and how wide the section is
+      // there along the target: by the curvature of its edge and, where it
+      // turns its face to the target, by its face.
+      const Number C = cosine * cosine, W = R1 * R1 * (1. - T);
+      const Number Q      = sqrt(W + g * g);
+      const Number offset = R1 * R1 / Q * cosine * tilt;
+      const Number edge   = .4 * R1 * R1 / Q * (1. - C - T);
+      const Number face   = .5 * R1 * g / Q;
+
+      const Number scale = (R1 + R2 + far_scale * g) / (R1 + R2 + g);
+
+      Number sum = 0.;
+      for (const Sheet &sheet : sheets)
+        {
+          const Number depth =
+            (R1 + R2) * sheet.depth * g / (R1 + R2 + sheet.depth * g);
+          const Number x = (g + depth) * scale;
+          sum +=
+            sheet.weight *
+            part(offset, Number(x * x + edge * depth + face * face * (1. - C)));
+        }
+      return sum;
     }
 
     template <typename Number>

@@ -88,15 +88,6 @@ namespace Setae
       return gap * (gap + 2. * R1) / (2. * (gap + R1));
     }
 
-    /** The gap from H of a disk that is not inclined. */
-    template <typename Number>
-    Number
-    hardened(const Number &H) const
-    {
-      using std::sqrt;
-      return H + H * H / (sqrt(R1 * R1 + H * H) + R1);
-    }
-
     /** Whether there is a side of the target: the axis is not in the way. */
     template <typename Number>
     bool
