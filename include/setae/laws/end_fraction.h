@@ -8,6 +8,8 @@
 #include <setae/laws/short_range.h>
 #include <setae/laws/smooth_cutoff.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -54,6 +56,7 @@ namespace Setae
         }
       for (Sheet &sheet : sheets)
         sheet.weight /= sum;
+      slices = make_slices();
     }
 
     /**
@@ -92,8 +95,10 @@ namespace Setae
 
     /**
      * The same for a target that does not end but fades: over the length 2b
-     * with CutoffSwitch, half of it at z = 0. Of a sheet the transition is as
-     * wide as fading and sheet together, measured by their variances.
+     * with CutoffSwitch, half of it at z = 0. That is averaged over each sheet,
+     * with the density @f$\varphi'(u)@f$ in slices of mean and variance: of one
+     * of them the transition is as wide as fading and slice together, measured
+     * by their variances.
      */
     template <typename Number>
     Number
@@ -104,25 +109,38 @@ namespace Setae
               const Number &b) const
     {
       using std::sqrt;
-      constexpr double n        = 7.; // b^2 / 7 is the variance of the switch
-      const double     variance = 1. / (m - 3.); // of a sheet
+      constexpr double n = 7.; // b^2 / 7 is the variance of the switch
       return sum_of_sheets(
         distance,
         cosine,
         tilt,
         [&](const Number &offset, const Number &width_square) -> Number {
-          const Number width = sqrt(b * b + n * variance * width_square);
-          return CutoffSwitch(-1., 1.).value(Number(-(z + offset) / width));
+          const Number inside = -(z + offset), x = sqrt(width_square);
+          Number       sum = 0.;
+          for (const Slice &slice : slices)
+            {
+              const Number width =
+                sqrt(b * b + n * slice.variance * width_square);
+              sum += CutoffSwitch(-1., 1.).value(
+                Number((inside + slice.mean * x) / width));
+            }
+          return sum / double(n_slices);
         });
     }
 
   private:
-    static constexpr unsigned int n_sheets = 6;
+    static constexpr unsigned int n_sheets = 6, n_slices = 5;
     static constexpr double       smallest = 1e-6;
 
     struct Sheet
     {
       double depth, weight;
+    };
+
+    /** An equal part of the density of a sheet, over its distance. */
+    struct Slice
+    {
+      double mean = 0., variance = 0.;
     };
 
     struct One
@@ -134,6 +152,36 @@ namespace Setae
         return 1.;
       }
     };
+
+    /** @p n angles with equal parts of the density, whose means are taken. */
+    std::array<Slice, n_slices>
+    make_slices() const
+    {
+      constexpr unsigned int       n = 20000;
+      std::array<Slice, n_slices>  result;
+      std::array<double, n_slices> weight = {};
+      double                       below  = 0.;
+      for (unsigned int k = 0; k < n; ++k)
+        {
+          const double theta = M_PI * ((k + .5) / n - .5), u = std::tan(theta);
+          const double part =
+            std::pow(std::cos(theta), m - 2.) * M_PI / (2. * quarter * n);
+          const unsigned int i =
+            std::min<unsigned int>(n_slices * (below + .5 * part),
+                                   n_slices - 1);
+          below += part;
+          weight[i] += part;
+          result[i].mean += part * u;
+          result[i].variance += part * u * u;
+        }
+      for (unsigned int i = 0; i < n_slices; ++i)
+        {
+          result[i].mean /= weight[i];
+          result[i].variance =
+            result[i].variance / weight[i] - result[i].mean * result[i].mean;
+        }
+      return result;
+    }
 
     /** The integral of @f$\cos^{m-2}@f$ from 0 to @f$\pi/2@f$. */
     static double
@@ -245,6 +293,7 @@ namespace Setae
     double             far_scale; ///< of a sheet with the end density of a line
     SmoothCutoff<One>  far_switch;
     std::vector<Sheet> sheets;
+    std::array<Slice, n_slices> slices;
   };
 } // namespace Setae
 
