@@ -134,6 +134,59 @@ namespace
 
 
 
+  /** One integral over the source next to an end of the target. */
+  template <typename End>
+  struct SectionsNear
+  {
+    using Law = TabulatedDiskCylinder;
+
+    static constexpr unsigned int n_points = n_sites;
+
+    static SectionBeam<Law>
+    make_interaction()
+    {
+      const Law                       law = TabulatedSections::law();
+      std::vector<typename End::Term> terms;
+      const PointPotential            potential =
+        lennard_jones_of_cylinders(gap, -0.1, sections);
+      for (unsigned int i = 0; i < potential.size(); ++i)
+        {
+          const EndFraction fraction(potential[i].exponent, sections, range);
+          if constexpr (std::is_same_v<End, FadedTarget<Law>>)
+            terms.push_back({law.single_power(i), fraction});
+          else
+            terms.push_back({law.single_power(i),
+                             fraction,
+                             FlatEnd(potential[i], sections, range)});
+        }
+      if constexpr (std::is_same_v<End, FadedTarget<Law>>)
+        return {law, sum_of_radii, End(sum_of_radii, terms)};
+      else
+        return {law, sum_of_radii, End(terms)};
+    }
+
+    SectionBeam<Law> interaction = make_interaction();
+    CellPlace place = {{true, false}, sum_of_radii, 1., length, 1. + length};
+
+    void
+    by_hand(const CellPair  &cells,
+            const Request    request,
+            LocalSystem<24> &local) const
+    {
+      local.reset(request);
+      for (const LineSite &site : cells.source_sites)
+        interaction.add(site, cells.target, place, site.weight, request, local);
+      if (request >= Request::tangent)
+        local.symmetrize();
+    }
+  };
+
+  using SectionsBeforeAnEnd = SectionsNear<TargetEnd<TabulatedDiskCylinder>>;
+  using SectionsBeforeAFadingTarget =
+    SectionsNear<FadedTarget<TabulatedDiskCylinder>>;
+
+
+
   /** A double integral. */
   struct PairsOfSections
   {
@@ -308,6 +361,16 @@ BENCHMARK_TEMPLATE(by_hand, Sections)
 
 BENCHMARK_TEMPLATE(by_hand, TabulatedSections)
   ->Name("SectionBeam/tabulated")
+  ->ArgName("request")
+  ->DenseRange(0, 2);
+
+BENCHMARK_TEMPLATE(by_hand, SectionsBeforeAFadingTarget)
+  ->Name("SectionBeam/fading_target")
+  ->ArgName("request")
+  ->DenseRange(0, 2);
+
+BENCHMARK_TEMPLATE(by_hand, SectionsBeforeAnEnd)
+  ->Name("SectionBeam/end_of_target")
   ->ArgName("request")
   ->DenseRange(0, 2);
 

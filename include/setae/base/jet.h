@@ -4,8 +4,10 @@
 #ifndef setae_base_jet_h
 #define setae_base_jet_h
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 namespace Setae
 {
@@ -211,6 +213,29 @@ namespace Setae
                       p * (p - 1.) * power / (x.value * x.value));
     }
 
+    /** f of some numbers whose second derivatives it has in all of them. */
+    template <unsigned int k>
+    static Jet
+    function(const std::array<Jet, k> &x, const Jet<k> &f)
+    {
+      Jet result(f.val());
+      for (unsigned int a = 0; a < k; ++a)
+        {
+          for (unsigned int i = 0; i < n; ++i)
+            result.first[i] += f.d(a) * x[a].first[i];
+          for (unsigned int i = 0; i < n_second; ++i)
+            result.second[i] += f.d(a) * x[a].second[i];
+          for (unsigned int b = 0; b < k; ++b)
+            {
+              const double f_ab = f.dd(std::max(a, b), std::min(a, b));
+              for (unsigned int i = 0, ij = 0; i < n; ++i)
+                for (unsigned int j = 0; j <= i; ++j, ++ij)
+                  result.second[ij] += f_ab * x[a].first[i] * x[b].first[j];
+            }
+        }
+      return result;
+    }
+
   private:
     static constexpr unsigned int n_second = n * (n + 1) / 2;
 
@@ -218,6 +243,37 @@ namespace Setae
     std::array<double, n>        first  = {};
     std::array<double, n_second> second = {};
   };
+
+  /**
+   * A function of few numbers, which is cheaper with the derivatives in these
+   * than in all that they depend on.
+   */
+  template <typename Function, typename Number, typename... Numbers>
+  Number
+  evaluate_reduced(const Function &function,
+                   const Number   &x,
+                   const Numbers &...others)
+  {
+    return function(x, others...);
+  }
+
+  template <typename Function, unsigned int n, typename... Jets>
+  Jet<n>
+  evaluate_reduced(const Function &function,
+                   const Jet<n>   &x,
+                   const Jets &...others)
+  {
+    constexpr unsigned int      k        = 1 + sizeof...(others);
+    const std::array<Jet<n>, k> all      = {{x, others...}};
+    unsigned int                next     = 0;
+    const auto                  variable = [&](const Jet<n> &y) {
+      return Jet<k>::variable(next++, y.val());
+    };
+    // Braces evaluate in their order
+    const std::array<Jet<k>, k> variables = {
+      {variable(x), variable(others)...}};
+    return Jet<n>::template function<k>(all, std::apply(function, variables));
+  }
 } // namespace Setae
 
 #endif

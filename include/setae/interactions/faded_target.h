@@ -76,22 +76,13 @@ namespace Setae
     std::pair<double, double>
     parts(const CellPlace           &place,
           const SectionPose<double> &pose,
-          const Surrogate<double>   &surrogate) const
+          const Surrogate<double>   &at) const
     {
-      const EndZone zone(sum_of_radii, place.fiber_length);
-      if (zone.is_all())
-        return {0., 0.};
-      // No transition is wider than this, which of_fading() bounds
-      const double widest =
-        4. * (std::max(surrogate.gap, 0.) + 2. * sum_of_radii);
-      if (std::min(from_left(place, pose), from_right(place, pose)) -
-            zone.fading_ends() >
-          widest * place.length / pose.length)
-        return {1., 1.};
-      double least = 1., most = 0.;
+      const double distance = this->distance(pose, at);
+      double       least = 1., most = 0.;
       for (const Term &term : terms)
         {
-          const double p = part(term, zone, place, pose, surrogate);
+          const double p = part(term, distance, place, pose, at);
           least          = std::min(least, p);
           most           = std::max(most, p);
         }
@@ -103,12 +94,12 @@ namespace Setae
     Number
     value(const CellPlace &place, const SectionPose<Number> &pose) const
     {
-      const EndZone           zone(sum_of_radii, place.fiber_length);
-      const Surrogate<Number> at  = surrogate(place, pose);
-      Number                  sum = 0.;
+      const Surrogate<Number> at       = surrogate(place, pose);
+      const Number            distance = this->distance(pose, at);
+      Number                  sum      = 0.;
       for (const Term &term : terms)
         {
-          const Number p = part(term, zone, place, pose, at);
+          const Number p = part(term, distance, place, pose, at);
           if (p > 0.)
             sum += p * evaluate_law(term.law, at.gap, pose.cosine, at.tilt);
         }
@@ -131,36 +122,52 @@ namespace Setae
       return place.from_right + place.length * (1. - pose.x);
     }
 
+    /** Of a section and the infinite target, see EndFraction. */
+    template <typename Number>
+    Number
+    distance(const SectionPose<Number> &pose, const Surrogate<Number> &at) const
+    {
+      const Term &term = terms[0];
+      if constexpr (has_tilt<Law>)
+        return evaluate_reduced(
+          [&](const auto &...x) {
+            return term.fraction.hardened(term.law.softened_distance(x...));
+          },
+          at.gap,
+          pose.cosine,
+          at.tilt);
+      else
+        return at.gap > 0. ? at.gap : Number(0.);
+    }
+
+    /** The part that is left of the target for one power. */
     template <typename Number>
     Number
     part(const Term                &term,
-         const EndZone             &zone,
+         const Number              &distance,
          const CellPlace           &place,
          const SectionPose<Number> &pose,
          const Surrogate<Number>   &at) const
     {
-      Number distance = 0.;
-      if constexpr (has_tilt<Law>)
-        distance = term.fraction.hardened(
-          term.law.softened_distance(at.gap, pose.cosine, at.tilt));
-      else if (at.gap > 0.)
-        distance = at.gap;
-
-      const double middle  = .5 * (zone.fading_begins() + zone.fading_ends());
-      const double half    = zone.fading_ends() - middle;
-      const Number stretch = pose.length / place.length;
-      const auto   missing = [&](const Number &s,
-                               const Number &inwards) -> Number {
-        if (!(s < CellPlace::infinity))
-          return 0.;
-        return 1. - term.fraction.of_fading(distance,
-                                            inwards,
-                                            at.tilt,
-                                            Number((s - middle) * stretch),
-                                            Number(half * stretch));
+      const EndZone zone(sum_of_radii, place.fiber_length);
+      if (zone.is_all())
+        return 0.;
+      const double middle   = .5 * (zone.fading_begins() + zone.fading_ends());
+      const double half     = zone.fading_ends() - middle;
+      const Number stretch  = pose.length / place.length;
+      Number       result   = 1.;
+      const auto   subtract = [&](const Number &s, const Number &inwards) {
+        const Number z = (s - middle) * stretch, b = half * stretch;
+        if (z - b < term.fraction.widest_fading(distance))
+          result +=
+            term.fraction.of_fading(distance, inwards, at.tilt, z, b) - 1.;
       };
-      return 1. - missing(from_left(place, pose), pose.cosine) -
-             missing(from_right(place, pose), Number(-pose.cosine));
+      if (place.from_left < CellPlace::infinity)
+        {
+          subtract(from_left(place, pose), pose.cosine);
+          subtract(from_right(place, pose), Number(-pose.cosine));
+        }
+      return result;
     }
 
     double            sum_of_radii;

@@ -80,7 +80,10 @@ namespace Setae
           smallest_gap = std::min(smallest_gap, standing.gap);
           if (!law.admits(standing.gap))
             return;
-          if (standing.near_end)
+          if (standing.near_end && request == Request::energy)
+            local.energy +=
+              weight * energy_near_end(place, pose_of(pair, geometry));
+          else if (standing.near_end)
             {
               const PlacedEnergy energy =
                 chain_rule(weight *
@@ -89,22 +92,20 @@ namespace Setae
                                                           pair.projection.x)),
                            geometry);
               local.energy += energy.pair.value;
+              pair.distribute(energy.pair, &energy.coordinate, request, local);
+            }
+          else
+            {
+              const auto derivatives =
+                weight * surrogate(geometry).derivatives(law);
+              local.energy += derivatives.value;
               if (request >= Request::residual)
-                pair.distribute(energy.pair,
-                                &energy.coordinate,
+                pair.distribute(geometry.energy(derivatives,
+                                                request >= Request::tangent),
+                                nullptr,
                                 request,
                                 local);
-              return;
             }
-          const auto derivatives =
-            weight * surrogate(geometry).derivatives(law);
-          local.energy += derivatives.value;
-          if (request >= Request::residual)
-            pair.distribute(geometry.energy(derivatives,
-                                            request >= Request::tangent),
-                            nullptr,
-                            request,
-                            local);
         });
       return smallest_gap;
     }
@@ -287,16 +288,22 @@ namespace Setae
         }
     }
 
+    static SectionPose<double>
+    pose_of(const SiteProjection &pair, const GapAngle &geometry)
+    {
+      return {geometry.d * geometry.d,
+              geometry.d * geometry.t1,
+              geometry.cosine,
+              pair.projection.x,
+              geometry.length_2};
+    }
+
     Standing
     standing(const SiteProjection &pair,
              const GapAngle       &geometry,
              const CellPlace      &place) const
     {
-      const SectionPose<double> pose = {geometry.d * geometry.d,
-                                        geometry.d * geometry.t1,
-                                        geometry.cosine,
-                                        pair.projection.x,
-                                        geometry.length_2};
+      const SectionPose<double> pose = pose_of(pair, geometry);
       if (fading.is_finite())
         {
           const auto at            = fading.surrogate(place, pose);

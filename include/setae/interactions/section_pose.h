@@ -71,11 +71,11 @@ namespace Setae
         f.value = e.value, f.g = e.g, f.c = e.c;
         f.gg = e.gg, f.gc = e.gc, f.cc = e.cc;
       }
-    const PoseVariables G = gap - gap.val(), C = cosine - cosine.val(),
-                        T = tilt - tilt.val();
-    return f.value + f.g * G + f.c * C + f.t * T +
-           .5 * (f.gg * (G * G) + f.cc * (C * C) + f.tt * (T * T)) +
-           f.gc * (G * C) + f.gt * (G * T) + f.ct * (C * T);
+    return PoseVariables::function<3>(
+      {{gap, cosine, tilt}},
+      Jet<3>(f.value,
+             {{f.g, f.c, f.t}},
+             {{f.gg, f.gc, f.cc, f.gt, f.ct, f.tt}}));
   }
 
   /** The same on any other number type, as a reference. */

@@ -4,6 +4,7 @@
 #ifndef setae_laws_end_fraction_h
 #define setae_laws_end_fraction_h
 
+#include <setae/base/jet.h>
 #include <setae/laws/point_potential.h>
 #include <setae/laws/short_range.h>
 #include <setae/laws/smooth_cutoff.h>
@@ -74,14 +75,15 @@ namespace Setae
           const Number &z) const
     {
       using std::sqrt;
-      return reach(gap, z) *
-             sum_of_sheets(
-               distance,
-               cosine,
-               tilt,
-               [&](const Number &offset, const Number &width_square) -> Number {
-                 return of_sheet(Number((z + offset) / sqrt(width_square)));
-               });
+      const Section<Number> section = this->section(distance, cosine, tilt);
+      const Number          nearest = z + section.offset;
+      return reach(gap, z) * mean<Number>([&](const Sheet &sheet) -> Number {
+               const Number x = x_of(sheet, section.distance);
+               return of_sheet(Number(
+                 nearest /
+                 sqrt(x * x + section.edge * depth_of(sheet, section.distance) +
+                      section.face)));
+             });
     }
 
     /** The distance of a disk that is not inclined, from its DiskContact::H. */
@@ -95,10 +97,11 @@ namespace Setae
 
     /**
      * The same for a target that does not end but fades: over the length 2b
-     * with CutoffSwitch, half of it at z = 0. That is averaged over each sheet,
-     * with the density @f$\varphi'(u)@f$ in slices of mean and variance: of one
-     * of them the transition is as wide as fading and slice together, measured
-     * by their variances.
+     * with CutoffSwitch, half of it at z = 0. That is averaged over the
+     * potential of an infinite target along its axis, with the second moment of
+     * all sheets and the shape of one of them, in slices of mean and variance:
+     * of one slice the transition is as wide as fading and slice together,
+     * measured by their variances.
      */
     template <typename Number>
     Number
@@ -108,24 +111,33 @@ namespace Setae
               const Number &z,
               const Number &b) const
     {
-      using std::sqrt;
-      constexpr double n = 7.; // b^2 / 7 is the variance of the switch
-      return sum_of_sheets(
-        distance,
-        cosine,
-        tilt,
-        [&](const Number &offset, const Number &width_square) -> Number {
-          const Number inside = -(z + offset), x = sqrt(width_square);
-          Number       sum = 0.;
-          for (const Slice &slice : slices)
-            {
-              const Number width =
-                sqrt(b * b + n * slice.variance * width_square);
-              sum += CutoffSwitch(-1., 1.).value(
-                Number((inside + slice.mean * x) / width));
-            }
-          return sum / double(n_slices);
-        });
+      const Section<Number> section = this->section(distance, cosine, tilt);
+      const Number          depth =
+        evaluate_reduced([this](const auto &g) { return mean_depth(g); },
+                         section.distance);
+      const Number square =
+        evaluate_reduced([this](const auto &g) { return mean_square(g); },
+                         section.distance);
+      return evaluate_reduced([this](const auto &...x) { return faded(x...); },
+                              Number(z + section.offset),
+                              Number(square + section.edge * depth +
+                                     section.face),
+                              b);
+    }
+
+    /** How far inside of where the fading begins it is not seen; a bound. */
+    template <typename Number>
+    Number
+    widest_fading(const Number &distance) const
+    {
+      // See section(): edge and face add at most 0.65 (R1 + R2)^2 to the square
+      // of the distance of a sheet, which is at most g + R1 + R2 before
+      // scaling.
+      const Slice &last  = slices.back();
+      const double slope = last.mean + std::sqrt(7. * last.variance);
+      const double sum   = R1 + R2;
+      const Number g     = distance > 0. ? distance : Number(0.);
+      return R1 + slope * (std::max(1., far_scale) * (g + sum) + .81 * sum);
     }
 
   private:
@@ -191,44 +203,100 @@ namespace Setae
              std::tgamma(m / 2.);
     }
 
-    /** Over all sheets of @p part, a function of how far the nearest point is
-     * farther inside than the center of the section, and of the square of the
-     * distance x. */
-    template <typename Number, typename Part>
+    /** The mean of the switch over the density of all sheets. */
+    template <typename Number>
     Number
-    sum_of_sheets(const Number &distance,
-                  const Number &cosine,
-                  const Number &tilt,
-                  const Part   &part) const
+    faded(const Number &z, const Number &x_square, const Number &b) const
     {
       using std::sqrt;
-      const Number T = tilt * tilt;
+      constexpr double n = 7.; // b^2 / 7 is the variance of the switch
+      const Number     x = sqrt(x_square), b_square = b * b;
+      Number           sum = 0.;
+      for (const Slice &slice : slices)
+        sum += CutoffSwitch(-1., 1.).value(
+          Number((slice.mean * x - z) /
+                 sqrt(b_square + n * slice.variance * x_square)));
+      return sum / double(n_slices);
+    }
+
+    /** How a section stands before the axis, for all sheets. */
+    template <typename Number>
+    struct Section
+    {
+      Number distance; ///< positive
+      Number offset;   ///< of its nearest point from its center, inwards
+      Number edge,
+        face; ///< squares of how wide it is there, over a depth and whole
+    };
+
+    /**
+     * The point of the section that is nearest, and how wide the section is
+     * there along the target: by the curvature of its edge and, where it turns
+     * its face to the target, by its face.
+     */
+    template <typename Number>
+    Section<Number>
+    section(const Number &distance,
+            const Number &cosine,
+            const Number &tilt) const
+    {
+      using std::sqrt;
+      const Number T = tilt * tilt, C = cosine * cosine, W = R1 * R1 * (1. - T);
       const Number g =
         .5 *
         (distance + sqrt(distance * distance + R1 * R1 * smallest * smallest));
+      const Number Q    = sqrt(W + g * g);
+      const Number face = .5 * R1 * g / Q;
+      return {g,
+              R1 * R1 / Q * cosine * tilt,
+              .4 * R1 * R1 / Q * (1. - C - T),
+              face * face * (1. - C)};
+    }
 
-      // The point of the section that is nearest, and how wide the section is
-      // there along the target: by the curvature of its edge and, where it
-      // turns its face to the target, by its face.
-      const Number C = cosine * cosine, W = R1 * R1 * (1. - T);
-      const Number Q      = sqrt(W + g * g);
-      const Number offset = R1 * R1 / Q * cosine * tilt;
-      const Number edge   = .4 * R1 * R1 / Q * (1. - C - T);
-      const Number face   = .5 * R1 * g / Q;
+    template <typename Number>
+    Number
+    depth_of(const Sheet &sheet, const Number &g) const
+    {
+      return (R1 + R2) * sheet.depth * g / (R1 + R2 + sheet.depth * g);
+    }
 
-      const Number scale = (R1 + R2 + far_scale * g) / (R1 + R2 + g);
+    /** The distance of a sheet, as it counts for the transition. */
+    template <typename Number>
+    Number
+    x_of(const Sheet &sheet, const Number &g) const
+    {
+      return (g + depth_of(sheet, g)) * (R1 + R2 + far_scale * g) /
+             (R1 + R2 + g);
+    }
 
+    /** The mean over all sheets of a function that returns a Number. */
+    template <typename Number, typename Function>
+    Number
+    mean(const Function &function) const
+    {
       Number sum = 0.;
       for (const Sheet &sheet : sheets)
-        {
-          const Number depth =
-            (R1 + R2) * sheet.depth * g / (R1 + R2 + sheet.depth * g);
-          const Number x = (g + depth) * scale;
-          sum +=
-            sheet.weight *
-            part(offset, Number(x * x + edge * depth + face * face * (1. - C)));
-        }
+        sum += sheet.weight * function(sheet);
       return sum;
+    }
+
+    /** The mean of the depths and that of the squares of x. */
+    template <typename Number>
+    Number
+    mean_depth(const Number &g) const
+    {
+      return mean<Number>(
+        [&](const Sheet &sheet) { return depth_of(sheet, g); });
+    }
+
+    template <typename Number>
+    Number
+    mean_square(const Number &g) const
+    {
+      return mean<Number>([&](const Sheet &sheet) -> Number {
+        const Number x = x_of(sheet, g);
+        return x * x;
+      });
     }
 
     template <typename Number>
