@@ -36,10 +36,13 @@ namespace Setae
                  is_projected<Law>,
                  Law::is_long_range,
                  kernels.largest_reach)
+        , passes(fibers,
+                 roles,
+                 has_finite_targets<Law>(parameters),
+                 kernels.largest_radius,
+                 kernels.largest_reach,
+                 skin())
       {
-        add_pass(false);
-        if (has_finite_targets<Law>(parameters))
-          add_pass(true);
         if (parameters.far_field_tolerance > 0.)
           far_field =
             std::make_unique<FarField>(fibers, parameters, roles, rule);
@@ -64,21 +67,10 @@ namespace Setae
           {
             if (!far_field->needs_rebuild(state))
               return false;
-            far_field->build(state, passes[0].sources);
+            far_field->build(state, passes.first().sources);
             return true;
           }
-        std::vector<NeighborList::ControlPoints> cells;
-        cells.reserve(state.current.size());
-        for (const HermiteCell<> &cell : state.current)
-          cells.push_back(cell.control_points());
-        bool is_new = false;
-        for (InteractionPass &pass : passes)
-          if (pass.needs_rebuild(cells))
-            {
-              pass.build(cells);
-              is_new = true;
-            }
-        return is_new;
+        return passes.update(state);
       }
 
       void
@@ -260,17 +252,6 @@ namespace Setae
         Law::depends_on == Invariants::gap_offset;
 
       static constexpr bool is_contact = std::is_same_v<Law, PenaltyContact>;
-
-      void
-      add_pass(const bool of_zones)
-      {
-        passes.emplace_back(fibers,
-                            roles,
-                            of_zones,
-                            kernels.largest_radius,
-                            kernels.largest_reach,
-                            skin());
-      }
 
       /** A function of the index of a source: the cells near that. */
       auto
@@ -454,9 +435,9 @@ namespace Setae
       double                    energy_of_unit_strength = 0.; ///< of this rank
       const SectionKernels<Law> kernels;
       const InteractionPoints   points;
-      std::vector<InteractionPass> passes;
-      std::unique_ptr<FarField>    far_field; ///< none if all pairs are summed
-      GapReport                    report;
+      InteractionPasses         passes;
+      std::unique_ptr<FarField> far_field; ///< none if all pairs are summed
+      GapReport                 report;
 
       // Scratch, to save allocations.
       LocalSystem<24>               local;

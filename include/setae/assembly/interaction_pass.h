@@ -88,6 +88,66 @@ namespace Setae
     NeighborList              neighbors;
     std::vector<unsigned int> targets; ///< of all ranks
   };
+
+
+
+  /** All passes of an interaction. */
+  class InteractionPasses
+  {
+  public:
+    /** @param with_zones Whether targets have an EndZone. */
+    InteractionPasses(const FiberSystem      &fibers,
+                      const InteractionRoles &roles,
+                      const bool              with_zones,
+                      const double            largest_radius,
+                      const double            reach,
+                      const double            skin)
+    {
+      for (const bool of_zones : {false, true})
+        if (!of_zones || with_zones)
+          passes.emplace_back(
+            fibers, roles, of_zones, largest_radius, reach, skin);
+    }
+
+    /** @return Whether any list of neighbors is new. */
+    bool
+    update(const State &state)
+    {
+      std::vector<NeighborList::ControlPoints> cells;
+      cells.reserve(state.current.size());
+      for (const HermiteCell<> &cell : state.current)
+        cells.push_back(cell.control_points());
+      bool is_new = false;
+      for (InteractionPass &pass : passes)
+        if (pass.needs_rebuild(cells))
+          {
+            pass.build(cells);
+            is_new = true;
+          }
+      return is_new;
+    }
+
+    const InteractionPass &
+    first() const
+    {
+      return passes.front();
+    }
+
+    auto
+    begin() const
+    {
+      return passes.begin();
+    }
+
+    auto
+    end() const
+    {
+      return passes.end();
+    }
+
+  private:
+    std::vector<InteractionPass> passes;
+  };
 } // namespace Setae
 
 #endif
