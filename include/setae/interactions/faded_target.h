@@ -152,22 +152,24 @@ namespace Setae
       const EndZone zone(sum_of_radii, place.fiber_length);
       if (zone.is_all())
         return 0.;
-      const double middle   = .5 * (zone.fading_begins() + zone.fading_ends());
-      const double half     = zone.fading_ends() - middle;
-      const Number stretch  = pose.length / place.length;
-      Number       result   = 1.;
-      const auto   subtract = [&](const Number &s, const Number &inwards) {
+      const double middle  = .5 * (zone.fading_begins() + zone.fading_ends());
+      const double half    = zone.fading_ends() - middle;
+      const Number stretch = pose.length / place.length;
+      const auto from = [&](const Number &s, const Number &inwards) -> Number {
         const Number z = (s - middle) * stretch, b = half * stretch;
         if (z - b < term.fraction.widest_fading(distance))
-          result +=
-            term.fraction.of_fading(distance, inwards, at.tilt, z, b) - 1.;
+          return term.fraction.of_fading(distance, inwards, at.tilt, z, b);
+        return 1.;
       };
-      if (place.from_left < CellPlace::infinity)
-        {
-          subtract(from_left(place, pose), pose.cosine);
-          subtract(from_right(place, pose), Number(-pose.cosine));
-        }
-      return result;
+      if (!(place.from_left < CellPlace::infinity))
+        return 1.;
+      const Number left  = from(from_left(place, pose), pose.cosine),
+                   right = from(from_right(place, pose), Number(-pose.cosine));
+      if (left >= 1.)
+        return right;
+      if (right >= 1.)
+        return left;
+      return left + right - 1.;
     }
 
     double            sum_of_radii;

@@ -12,7 +12,7 @@ namespace Setae
 {
   /**
    * A factor that falls from one to zero between the gaps @p begin and @p end,
-   * @f$1-10x^3+15x^4-6x^5@f$ with x from 0 to 1. It has two continuous
+   * @f$10y^3-15y^4+6y^5@f$ with y from 1 to 0. It has two continuous
    * derivatives, so neither force nor stiffness jumps when a pair of points
    * enters or leaves. @p end = infinity means that it is always one.
    */
@@ -33,8 +33,8 @@ namespace Setae
         return Number(0.);
       if (gap <= begin)
         return Number(1.);
-      const Number x = (gap - begin) / (end - begin);
-      return 1. - x * x * x * (10. - x * (15. - 6. * x));
+      const Number y = (end - gap) / (end - begin);
+      return y * y * y * (10. - y * (15. - 6. * y));
     }
 
     GapDerivatives
@@ -45,9 +45,8 @@ namespace Setae
       if (gap <= begin)
         return {1., 0., 0.};
       const double width = end - begin;
-      const double x     = (gap - begin) / width;
-      const double y     = 1. - x;
-      return {1. - x * x * x * (10. - x * (15. - 6. * x)),
+      const double x = (gap - begin) / width, y = (end - gap) / width;
+      return {y * y * y * (10. - y * (15. - 6. * y)),
               -30. * x * x * y * y / width,
               -60. * x * y * (1. - 2. * x) / (width * width)};
     }
