@@ -8,6 +8,7 @@
 
 #include <setae/interactions/target_end.h>
 #include <setae/laws/oriented_disk_cylinder.h>
+#include <setae/laws/tabulated_disk_cylinder.h>
 #include <setae/verification/disk_cylinder.h>
 
 #include <algorithm>
@@ -136,6 +137,7 @@ TEST(TargetEnd, HasAContinuousSlopeAroundTheEnd)
                                   Tensor<1, 3>({0., 1., 0.}),
                                   Tensor<1, 3>({1., 0., 0.}),
                                   Tensor<1, 3>({.5, .6, .62}),
+                                  Tensor<1, 3>({.1, 0., 1.}),
                                   Tensor<1, 3>({-.7, 0., .7})})
         {
           normal /= normal.norm();
@@ -216,5 +218,48 @@ TEST(TargetEnd, HasTheEnergyOfADiskInFrontOfACylinder)
                                  .value;
           EXPECT_NEAR(energy(end, pose) / exact, 1., .02);
         }
+    }
+}
+
+
+
+// Beyond the end, beside the extended target and at all distances in front.
+TEST(TargetEnd, HasTheEnergyOfAParallelDiskBeyondTheEnd)
+{
+  const double sum_of_radii = sections.radius_1 + sections.radius_2;
+  for (const unsigned int m : {6, 12})
+    {
+      const InversePower          power = {m, 1.};
+      const TabulatedDiskCylinder law({power}, sections, {}, {});
+      const FlatEnd               flat_end(power, sections, {});
+      const EndFraction           fraction(m, sections, {});
+      const Tensor<1, 3>          axis({0., 0., 1.});
+
+      const auto expect =
+        [&](const double d, const double z, const double tolerance) {
+          const auto   pose = pose_at(d, z, axis);
+          const double gap  = flat_end.gap(d);
+          const auto   front =
+            flat_end.front(pose, gap > 0. ? flat_end.softened(gap) : 0.);
+          double energy = front.energy;
+          if (front.side_share > 0.)
+            energy += front.side_share * law(gap, 1., 0.).value *
+                      fraction.value(gap, gap, 1., 0., z);
+          References::Interval cylinder;
+          cylinder.begin = 0.;
+          const double exact =
+            References::energy_of_disk_and_cylinder(
+              power, sections, {Tensor<1, 3>({d, 0., z}), axis}, cylinder, 1e-4)
+              .value;
+          EXPECT_NEAR(energy / exact, 1., tolerance)
+            << "m = " << m << ", d = " << d << ", z = " << z;
+        };
+      for (const double gap : {.01, .1, .3, 1.})
+        for (const double part : {.3, 1., 3.})
+          expect(sum_of_radii + gap, -part * gap, .02);
+      for (const double z : {-.01, -.1, -1., -3., -10.})
+        expect(0., z, .06);
+      for (const double d : {1., 2., 3.})
+        expect(d, -10., .02);
     }
 }

@@ -18,16 +18,17 @@ namespace Setae
    * and each disk contributes the segment @f$R^2(\vartheta-\sin\vartheta
    * \cos\vartheta)@f$ of half the angle @f$\vartheta@f$ beyond it. The two
    * factors that vanish where the disks begin to overlap and where one covers
-   * the other are replaced by @f$\frac12(q+\sqrt{q^2+w^2})@f$ with a width w;
-   * the second one together with its neighbor, because only their product is
-   * smooth where the radii are equal.
+   * the other are replaced by @f$\frac12(q+\sqrt{q^2+w^2})@f$ with a width w
+   * for each; the second one together with its neighbor, because only their
+   * product is smooth where the radii are equal.
    */
   template <typename Number>
   Number
   disk_overlap(const Number &y,
                const Number &radius_1,
                const double  radius_2,
-               const Number &width)
+               const Number &width,
+               const Number &inner_width)
   {
     using std::atan;
     using std::sqrt;
@@ -52,7 +53,7 @@ namespace Setae
     const Number difference = radius_1 - radius_2, total = radius_1 + radius_2;
     const Number inner = y * y - difference * difference;
     const Number fringe =
-      2. * width * width * (y * y + difference * difference);
+      2. * inner_width * inner_width * (y * y + difference * difference);
     const Number root = sqrt(inner * inner + fringe);
     const Number chord =
       sqrt(softened(Number(total - y)) * (total + y) *

@@ -4,6 +4,7 @@
 #ifndef setae_laws_end_fraction_h
 #define setae_laws_end_fraction_h
 
+#include <setae/base/integer_power.h>
 #include <setae/base/jet.h>
 #include <setae/laws/point_potential.h>
 #include <setae/laws/short_range.h>
@@ -21,16 +22,23 @@ namespace Setae
    * the half of it on this side of its end, at the axial distance z inside the
    * end (negative beyond it).
    *
-   * Two parallel sections at a small gap g are full of sheets, at distances
-   * @f$x=g/t@f$ with the weights @f$t^{m-11/2}(1-t)^{3/2}dt@f$: their depths and
-   * the distance of their edges add up to x - g. Of a sheet at the distance x
-   * the half with @f$u=z/x=\tan\theta@f$ has the part
-   * @f[ \varphi(u) = \frac12 + \frac{\int_0^\theta\cos^{m-3}}
-   *                               {\int_{-\pi/2}^{\pi/2}\cos^{m-3}}, @f]
-   * elementary for every m. The midpoint rule in @f$t=\sin^2\vartheta@f$ adds
-   * the sheets. At a large gap they move to the distance of the centerlines,
-   * scaled to give the density of a line at its end. At an angle a section
-   * extends along the target, which widens the transition.
+   * Two parallel sections are full of pairs of lines. Of a pair at the distance
+   * x the half with @f$u=z/x=\tan\theta@f$ has the part
+   * @f[ \varphi(u) = \frac12 + \frac{\int_0^\theta\cos^{m-2}}
+   *                               {\int_{-\pi/2}^{\pi/2}\cos^{m-2}}, @f]
+   * elementary for every m, of an energy that goes as @f$x^{1-m}@f$. With
+   * @f$2S=2(R_1+R_2)@f$ for the range of x from the gap g on, the pairs at the
+   * distance x = g + Y are as many as
+   * @f[ n(Y)\sim\sqrt x\,\frac{P^2}{(1+aP+bP^2)^{3/4}},\qquad
+   *     P=Y\Bigl(1-\frac Y{2S}\Bigr). @f]
+   * The fraction is the product of the chords of both sections normal to the
+   * gap, of all whose depths add up to Y: a and b give it the right growth at
+   * both ends and the right value in the middle. So n is exact next to the gap
+   * and on the far sides, and everywhere if the gap is large.
+   *
+   * The trapezoidal rule in @f$s=\ln\frac Y{1-Y/2S}@f$, for which dY/ds = P,
+   * resolves lines and distances z of all magnitudes alike. At an angle a
+   * section extends along the target, which widens the transition.
    */
   class EndFraction
   {
@@ -38,25 +46,28 @@ namespace Setae
     EndFraction(const unsigned int exponent,
                 const SectionPair &sections,
                 const GapRange    &range)
-      : m(exponent - 1)
+      : m(exponent)
       , R1(sections.radius_1)
       , R2(sections.radius_2)
       , cutoff(range.cutoff)
-      , quarter(quarter_of(exponent - 1))
-      , far_scale(quarter_of(exponent) / quarter)
+      , quarter(.5 * std::sqrt(M_PI) * std::tgamma((m - 1.) / 2.) /
+                std::tgamma(m / 2.))
       , far_switch(One(), range.cutoff_begin, range.cutoff)
     {
-      double sum = 0.;
-      for (unsigned int k = 0; k < n_sheets; ++k)
-        {
-          const double theta = .5 * M_PI * (k + .5) / n_sheets;
-          const double s = std::sin(theta), c = std::cos(theta);
-          sheets.push_back({c * c / (s * s),
-                            std::pow(s, 2. * exponent - 10.) * std::pow(c, 4)});
-          sum += sheets.back().weight;
-        }
-      for (Sheet &sheet : sheets)
-        sheet.weight /= sum;
+      // The product of the chords, summed over all depths that add up to Y, is
+      // pi sqrt(R1 R2) Y^2 (1 - Y S / (8 R1 R2)) for small Y. In the middle,
+      // where Y = S, it is known for equal radii and for a small one; in
+      // between this is right to one percent.
+      const double S = R1 + R2, r = std::min(R1, R2), R = std::max(R1, R2);
+      const double middle = 2. * M_PI * R * r * r *
+                            (1. - (1. - 8. / (3. * M_PI)) * (r / R) * (r / R));
+      const double parabola = M_PI * std::sqrt(R1 * R2) * .25 * S * S;
+      a                     = 4. / 3. * (S / (8. * R1 * R2) - 1. / S);
+      b = (std::pow(parabola / middle, 4. / 3.) - 1. - .5 * a * S) /
+          (.25 * S * S);
+
+      for (unsigned int k = 0; k < n_lines; ++k)
+        depths.push_back(std::exp(k - 3.));
       slices = make_slices();
     }
 
@@ -77,13 +88,14 @@ namespace Setae
       using std::sqrt;
       const Section<Number> section = this->section(distance, cosine, tilt);
       const Number          nearest = z + section.offset;
-      return reach(gap, z) * mean<Number>([&](const Sheet &sheet) -> Number {
-               const Number x = x_of(sheet, section.distance);
-               return of_sheet(Number(
-                 nearest /
-                 sqrt(x * x + section.edge * depth_of(sheet, section.distance) +
-                      section.face)));
-             });
+      return reach(gap, z) * mean(
+                               [&](const Number &depth) -> Number {
+                                 const Number x = section.distance + depth;
+                                 return of_line(Number(
+                                   nearest / sqrt(x * x + section.edge * depth +
+                                                  section.face)));
+                               },
+                               section.distance);
     }
 
     /** The distance of a disk that is not inclined, from its DiskContact::H. */
@@ -99,7 +111,7 @@ namespace Setae
      * The same for a target that does not end but fades: over the length 2b
      * with CutoffSwitch, half of it at z = 0. That is averaged over the
      * potential of an infinite target along its axis, with the second moment of
-     * all sheets and the shape of one of them, in slices of mean and variance:
+     * all lines and the shape of one of them, in slices of mean and variance:
      * of one slice the transition is as wide as fading and slice together,
      * measured by their variances.
      */
@@ -130,26 +142,21 @@ namespace Setae
     Number
     widest_fading(const Number &distance) const
     {
-      // See section(): edge and face add at most 0.65 (R1 + R2)^2 to the square
-      // of the distance of a sheet, which is at most g + R1 + R2 before
-      // scaling.
+      // See section(): edge and face add at most 1.24 (R1 + R2)^2 to the mean
+      // square of the distance of a line, which is at most that of
+      // g + 1.42 (R1 + R2).
       const Slice &last  = slices.back();
       const double slope = last.mean + std::sqrt(7. * last.variance);
       const double sum   = R1 + R2;
       const Number g     = distance > 0. ? distance : Number(0.);
-      return R1 + slope * (std::max(1., far_scale) * (g + sum) + .81 * sum);
+      return R1 + slope * (g + 2.54 * sum);
     }
 
   private:
-    static constexpr unsigned int n_sheets = 6, n_slices = 5;
+    static constexpr unsigned int n_lines = 12, n_slices = 5;
     static constexpr double       smallest = 1e-6;
 
-    struct Sheet
-    {
-      double depth, weight;
-    };
-
-    /** An equal part of the density of a sheet, over its distance. */
+    /** An equal part of the density of a line, over its distance. */
     struct Slice
     {
       double mean = 0., variance = 0.;
@@ -195,15 +202,7 @@ namespace Setae
       return result;
     }
 
-    /** The integral of @f$\cos^{m-2}@f$ from 0 to @f$\pi/2@f$. */
-    static double
-    quarter_of(const double m)
-    {
-      return .5 * std::sqrt(M_PI) * std::tgamma((m - 1.) / 2.) /
-             std::tgamma(m / 2.);
-    }
-
-    /** The mean of the switch over the density of all sheets. */
+    /** The mean of the switch over the density of all lines. */
     template <typename Number>
     Number
     faded(const Number &z, const Number &x_square, const Number &b) const
@@ -219,7 +218,7 @@ namespace Setae
       return sum / double(n_slices);
     }
 
-    /** How a section stands before the axis, for all sheets. */
+    /** How a section stands before the axis, for all lines. */
     template <typename Number>
     struct Section
     {
@@ -246,38 +245,51 @@ namespace Setae
         .5 *
         (distance + sqrt(distance * distance + R1 * R1 * smallest * smallest));
       const Number Q    = sqrt(W + g * g);
-      const Number face = .5 * R1 * g / Q;
+      const Number face = .8 * R1 * g / Q;
       return {g,
               R1 * R1 / Q * cosine * tilt,
-              .4 * R1 * R1 / Q * (1. - C - T),
+              .6 * R1 * R1 / Q * (1. - C - T),
               face * face * (1. - C)};
     }
 
+    /** The pairs of lines at one depth Y and how much they count. */
     template <typename Number>
-    Number
-    depth_of(const Sheet &sheet, const Number &g) const
+    struct Lines
     {
-      return (R1 + R2) * sheet.depth * g / (R1 + R2 + sheet.depth * g);
+      Number depth, weight;
+    };
+
+    template <typename Number>
+    Lines<Number>
+    lines_at(const double e, const Number &g) const
+    {
+      using std::sqrt;
+      const double width = 2. * (R1 + R2);
+      const Number near  = 1. / (1. + e * g / (g + width)); // 1 - Y / 2S
+      const Number y     = e * width * near / (g + width);  // Y / g
+      const Number p = y * near, P = g * p, x = 1. + y;
+      const Number square = 1. + P * (a + P * b);
+      return {g * y,
+              p * p * p * sqrt(x / (square * sqrt(square))) /
+                integer_power(x, m - 1)};
     }
 
-    /** The distance of a sheet, as it counts for the transition. */
-    template <typename Number>
-    Number
-    x_of(const Sheet &sheet, const Number &g) const
-    {
-      return (g + depth_of(sheet, g)) * (R1 + R2 + far_scale * g) /
-             (R1 + R2 + g);
-    }
-
-    /** The mean over all sheets of a function that returns a Number. */
+    /** The mean over all lines of a function of their depth. */
     template <typename Number, typename Function>
     Number
-    mean(const Function &function) const
+    mean(const Function &function, const Number &g) const
     {
-      Number sum = 0.;
-      for (const Sheet &sheet : sheets)
-        sum += sheet.weight * function(sheet);
-      return sum;
+      Number part = 0., all = 0.;
+      for (const double e : depths)
+        {
+          const Number depth = evaluate_reduced(
+            [&](const auto &g) { return lines_at(e, g).depth; }, g);
+          const Number weight = evaluate_reduced(
+            [&](const auto &g) { return lines_at(e, g).weight; }, g);
+          part += weight * function(depth);
+          all += weight;
+        }
+      return part / all;
     }
 
     /** The mean of the depths and that of the squares of x. */
@@ -285,37 +297,36 @@ namespace Setae
     Number
     mean_depth(const Number &g) const
     {
-      return mean<Number>(
-        [&](const Sheet &sheet) { return depth_of(sheet, g); });
+      return mean([](const Number &depth) { return depth; }, g);
     }
 
     template <typename Number>
     Number
     mean_square(const Number &g) const
     {
-      return mean<Number>([&](const Sheet &sheet) -> Number {
-        const Number x = x_of(sheet, g);
-        return x * x;
-      });
+      return mean([&](const Number &depth)
+                    -> Number { return (g + depth) * (g + depth); },
+                  g);
     }
 
+    /** The part of a line, phi. */
     template <typename Number>
     Number
-    of_sheet(const Number &u) const
+    of_line(const Number &u) const
     {
       using std::atan;
       using std::sqrt;
-      const Number c = 1. / sqrt(1. + u * u), s = u * c;
+      const Number c = 1. / sqrt(1. + u * u), s = u * c, square = c * c;
       if (u < -2.)
         return far_beyond(c);
       // The integral of cos^n from that of cos^(n-2), and over a quarter
       unsigned int n     = m % 2;
       Number       part  = n == 0 ? Number(atan(u)) : s;
-      Number       power = n == 0 ? c : Number(c * c);
+      Number       power = n == 0 ? c : square;
       for (n += 2; n <= m - 2; n += 2)
         {
           part = (power * s + (n - 1.) * part) / double(n);
-          power *= c * c;
+          power *= square;
         }
       return .5 + part / (2. * quarter);
     }
@@ -327,15 +338,23 @@ namespace Setae
     {
       constexpr unsigned int n_terms = 22; // c^2 < 1/5
       const Number           square  = c * c;
-      Number                 power = 1., sum = 0.;
-      for (unsigned int k = 0; k < n_terms; ++k)
-        {
-          sum += power / (m - 1. + 2. * k);
-          power *= square * ((k + .5) / (k + 1.));
-        }
-      for (unsigned int k = 1; k < m; ++k)
-        sum = sum * c;
-      return sum / (2. * quarter);
+      Number                 sum     = 0.;
+      for (unsigned int k = n_terms; k > 0; --k)
+        sum = 1. / (m + 2. * k - 3.) + square * ((k - .5) / k) * sum;
+      return sum * integer_power(c, m - 1) / (2. * quarter);
+    }
+
+    /** With its known derivatives, because many are needed. */
+    template <unsigned int n>
+    Jet<n>
+    of_line(const Jet<n> &u) const
+    {
+      const double v = u.val(), square = 1. / (1. + v * v);
+      const double density =
+        integer_power(std::sqrt(square), m) / (2. * quarter);
+      return Jet<n>::template function<1>(
+        {{u}},
+        Jet<1>(of_line(v), {{density}}, {{-(m * v * square * density)}}));
     }
 
     /** Switches off beyond the end where the end is farther than the cutoff. */
@@ -355,12 +374,12 @@ namespace Setae
       return 1. - (1. - far) * y * y * y * (10. - y * (15. - 6. * y));
     }
 
-    unsigned int       m; ///< the exponent of a sheet, one less
-    double             R1, R2, cutoff;
-    double             quarter;   ///< integral of cos^(m-2) from 0 to pi / 2
-    double             far_scale; ///< of a sheet with the end density of a line
-    SmoothCutoff<One>  far_switch;
-    std::vector<Sheet> sheets;
+    unsigned int        m;
+    double              R1, R2, cutoff;
+    double              quarter; ///< integral of cos^(m-2) from 0 to pi / 2
+    double              a, b;
+    SmoothCutoff<One>   far_switch;
+    std::vector<double> depths; ///< Y / (1 - Y / 2S) over 1 / (1 / g + 1 / 2S)
     std::array<Slice, n_slices> slices;
   };
 } // namespace Setae

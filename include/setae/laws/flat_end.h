@@ -35,10 +35,13 @@ namespace Setae
    *   best: the eigenvector of the larger eigenvalue of
    *   @f$D^2-W@f$ as a quadratic form. The wedge has a constant part of the
    *   half-space, and less if the disk is round before it.
-   * - Far away, both bodies become one point and a line.
+   * - Far away, both bodies become one point and two lines, which have the mean
+   *   and the variance of the squared distance.
    *
    * The partition is smooth and made by H in the three directions: a form that
-   * sees the disk touch has no weight where another one does not.
+   * sees the disk touch has no weight where another one does not. A disk that
+   * is parallel to the end stays beside the target until it is much farther
+   * from the end than from the side.
    */
   class FlatEnd
   {
@@ -278,11 +281,15 @@ namespace Setae
     const Number fringe = fringe_width * low;
     const Number y =
       sqrt((square > 0. ? square : Number(0.)) + fringe * fringe);
+    // Where the disk leans, it is lower over the rest of the overlap.
+    const Number wide =
+      softness * height / (1. + (1. - part * part) * height / R1);
     const Number r    = integer_power(radius, 8) + integer_power(Number(R2), 8);
     const Number thin = thinness * height * height / sqrt(sqrt(r));
-    const Number near = half_space(at) *
-                        disk_overlap(y, radius, R2, Number(softness * low)) /
-                        (M_PI * radius * radius * (1. + thin));
+    const Number near =
+      half_space(at) *
+      disk_overlap(y, radius, R2, wide, Number(softness * low)) /
+      (M_PI * radius * radius * (1. + thin));
 
     const Number f         = height * height / (1.4 * (R1 * R1 + R2 * R2));
     const Number far_share = 1. - 1. / (1. + f * f * f);
@@ -296,20 +303,32 @@ namespace Setae
   FlatEnd::from_afar(const Pose<Number> &pose, const Number &height) const
   {
     using std::sqrt;
-    const Number lateral = pose.square + .5 * R2 * R2 +
-                           .25 * R1 * R1 * (1. + pose.cosine * pose.cosine);
-    const Number square = height * height + lateral;
-    const Number x      = lateral / square;
+    // Mean and variance of the squared distance in the plane of the end
+    const double square_1 = R1 * R1, square_2 = R2 * R2;
+    const Number C    = pose.cosine * pose.cosine;
+    const Number mean = pose.square + .5 * square_2 + .25 * square_1 * (1. + C);
+    const Number variance =
+      square_2 * pose.square +
+      square_1 * (pose.square - pose.along * pose.along) +
+      square_2 * (square_2 / 12. + .25 * square_1 * (1. + C)) +
+      square_1 * square_1 / 16. * (1. - C * (2. / 3. - C));
+    const Number deviation = sqrt(variance);
+    const auto   line      = [&](const Number &lateral) -> Number {
+      const Number square = height * height + lateral;
+      const Number x      = lateral / square;
 
-    constexpr unsigned int n_terms = 12;
-    Number                 sum     = 0.;
-    for (unsigned int k = n_terms; k > 0; --k)
-      sum = x * ((.5 * m + k - 1.) / (.5 * m + k - .5)) * (1. + sum);
-    const Number inverse = 1. / square;
-    Number       power   = integer_power(inverse, m / 2);
-    if (m % 2 == 1)
-      power = power * sqrt(inverse);
-    return line_of_points * height * power * (1. + sum);
+      constexpr unsigned int n_terms = 12;
+      Number                 sum     = 0.;
+      for (unsigned int k = n_terms; k > 0; --k)
+        sum = x * ((.5 * m + k - 1.) / (.5 * m + k - .5)) * (1. + sum);
+      const Number inverse = 1. / square;
+      Number       power   = integer_power(inverse, m / 2);
+      if (m % 2 == 1)
+        power = power * sqrt(inverse);
+      return power * (1. + sum);
+    };
+    return .5 * line_of_points * height *
+           (line(Number(mean - deviation)) + line(Number(mean + deviation)));
   }
 
 
@@ -320,9 +339,16 @@ namespace Setae
   {
     using std::sqrt;
     const Direction<Number> cap  = of_cap(pose);
-    const Number            side = held.value(H_side);
     const Number            end  = cap.D > 0. ? held.value(cap.H) : Number(0.);
-    const Number            sum  = side + end;
+    Number                  side = held.value(H_side);
+
+    // EndFraction knows well how a parallel section leaves the side.
+    if (cap.D > 0. && cap.H > 0.)
+      {
+        const Number parallel = 2. * cap.H / cap.D;
+        side                  = side * (1. + 4. * parallel * parallel);
+      }
+    const Number sum = side + end;
 
     // The edge counts where it is much farther away than the others say.
     constexpr double        least = 1.2, most = 2.7;
