@@ -151,13 +151,14 @@ namespace
         lennard_jones_of_cylinders(gap, -0.1, sections);
       for (unsigned int i = 0; i < potential.size(); ++i)
         {
-          const EndFraction fraction(potential[i].exponent, sections, range);
           if constexpr (std::is_same_v<End, FadedTarget<Law>>)
-            terms.push_back({law.single_power(i), fraction});
-          else
             terms.push_back({law.single_power(i),
-                             fraction,
-                             FlatEnd(potential[i], sections, range)});
+                             FadingFraction(potential[i].exponent, sections)});
+          else
+            terms.push_back(
+              {law.single_power(i),
+               EndFraction(potential[i].exponent, sections, range),
+               FlatEnd(potential[i], sections, range)});
         }
       if constexpr (std::is_same_v<End, FadedTarget<Law>>)
         return {law, sum_of_radii, End(sum_of_radii, terms)};

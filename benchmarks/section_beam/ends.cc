@@ -72,7 +72,7 @@ namespace
       if (front.side_share > 0. && H > 0.)
         result +=
           front.side_share * law(gap, pose.cosine, tilt).value *
-          fraction.value(fraction.hardened(H), gap, pose.cosine, tilt, pose.z);
+          fraction.value(fraction.distance(H), gap, pose.cosine, tilt, pose.z);
       return result;
     }
 

@@ -51,10 +51,11 @@ namespace
     std::vector<typename FadedTarget<Law>::Term> faded;
     for (const InversePower &power : potential)
       {
-        const Law         alone = law_of<Law>({power}, range);
-        const EndFraction fraction(power.exponent, radii, range);
-        ends.push_back({alone, fraction, FlatEnd(power, radii, range)});
-        faded.push_back({alone, fraction});
+        const Law alone = law_of<Law>({power}, range);
+        ends.push_back({alone,
+                        EndFraction(power.exponent, radii, range),
+                        FlatEnd(power, radii, range)});
+        faded.push_back({alone, FadingFraction(power.exponent, radii)});
       }
     switch (target)
       {

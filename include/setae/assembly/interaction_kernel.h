@@ -134,12 +134,13 @@ namespace Setae
       std::vector<typename FadedTarget<Law>::Term> faded;
       for (unsigned int i = 0; i < potential.size(); ++i)
         {
-          const EndFraction fraction(potential[i].exponent, sections, range);
           if (fades)
-            faded.push_back({laws[i], fraction});
+            faded.push_back(
+              {laws[i], FadingFraction(potential[i].exponent, sections)});
           else
-            ends.push_back(
-              {laws[i], fraction, FlatEnd(potential[i], sections, range)});
+            ends.push_back({laws[i],
+                            EndFraction(potential[i].exponent, sections, range),
+                            FlatEnd(potential[i], sections, range)});
         }
       if (fades)
         return {law, radii, FadedTarget<Law>(radii, std::move(faded))};

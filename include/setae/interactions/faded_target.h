@@ -6,7 +6,7 @@
 
 #include <setae/interactions/end_zone.h>
 #include <setae/interactions/section_pose.h>
-#include <setae/laws/end_fraction.h>
+#include <setae/laws/fading_fraction.h>
 
 #include <algorithm>
 #include <limits>
@@ -18,7 +18,7 @@ namespace Setae
   /**
    * The laws of a target that fades towards its ends (EndZone): that of each
    * power of the point potential times the part of an infinite target that is
-   * left of it (EndFraction::of_fading). Where nothing is left next to a
+   * left of it (FadingFraction). Where nothing is left next to a
    * section, what there is farther along is seen from its distance.
    */
   template <typename Law>
@@ -28,8 +28,8 @@ namespace Setae
     /** The law of one power of the point potential and its end. */
     struct Term
     {
-      Law         law;
-      EndFraction fraction;
+      Law            law;
+      FadingFraction fraction;
     };
 
     /** @param terms empty if a target is not to fade. */
@@ -122,7 +122,7 @@ namespace Setae
       return place.from_right + place.length * (1. - pose.x);
     }
 
-    /** Of a section and the infinite target, see EndFraction. */
+    /** Of a section and the infinite target, see FadingFraction. */
     template <typename Number>
     Number
     distance(const SectionPose<Number> &pose, const Surrogate<Number> &at) const
@@ -131,7 +131,7 @@ namespace Setae
       if constexpr (has_tilt<Law>)
         return evaluate_reduced(
           [&](const auto &...x) {
-            return term.fraction.hardened(term.law.softened_distance(x...));
+            return term.fraction.distance(term.law.softened_distance(x...));
           },
           at.gap,
           pose.cosine,
@@ -157,8 +157,8 @@ namespace Setae
       const Number stretch = pose.length / place.length;
       const auto from = [&](const Number &s, const Number &inwards) -> Number {
         const Number z = (s - middle) * stretch, b = half * stretch;
-        if (z - b < term.fraction.widest_fading(distance))
-          return term.fraction.of_fading(distance, inwards, at.tilt, z, b);
+        if (z - b < term.fraction.reach(distance))
+          return term.fraction.value(distance, inwards, at.tilt, z, b);
         return 1.;
       };
       if (!(place.from_left < CellPlace::infinity))

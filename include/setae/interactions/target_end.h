@@ -110,7 +110,7 @@ namespace Setae
                 switched(Number(
                            1. -
                            term.fraction.value(
-                             term.fraction.hardened(H), gap, inwards, tilt, z)),
+                             term.fraction.distance(H), gap, inwards, tilt, z)),
                          x,
                          ends);
           };
