@@ -25,12 +25,12 @@ namespace Setae
     prm.add_parameter(
       "target ends",
       target_ends,
-      "Beyond the end of a target: 'clamped' keeps the infinite "
-      "cylinder at the last point (SBIP), too much by about a "
-      "factor of two; 'finite' takes the part of the potential "
-      "that the target contributes on this side of its end; "
-      "'by law' is finite for laws that know the tilt of a "
-      "section, which cannot be clamped.",
+      "The end of a target: 'clamped' keeps the infinite cylinder at the last "
+      "point (SBIP), too much by about a factor of two; 'finite' integrates "
+      "over the sections of a target that are next to its end too, with the "
+      "source as the infinite cylinder, and lets the target fade there; "
+      "'by law' is finite for laws that know the tilt of a section, which "
+      "cannot be clamped.",
       Patterns::Selection("by law|clamped|finite"));
     prm.add_parameter("source",
                       source,
