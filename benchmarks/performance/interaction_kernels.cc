@@ -79,6 +79,24 @@ namespace
 
 
 
+  /** All sites of the source with the target at a place of its fiber. */
+  template <typename Law>
+  void
+  add_sites(const SectionBeam<Law> &interaction,
+            const CellPair         &cells,
+            const CellPlace        &place,
+            const Request           request,
+            LocalSystem<24>        &local)
+  {
+    local.reset(request);
+    for (const LineSite &site : cells.source_sites)
+      interaction.add(site, cells.target, place, site.weight, request, local);
+    if (request >= Request::tangent)
+      local.symmetrize();
+  }
+
+
+
   /** One integral over the source. */
   template <typename Law>
   struct SectionsOf
@@ -103,11 +121,7 @@ namespace
             const Request    request,
             LocalSystem<24> &local) const
     {
-      local.reset(request);
-      for (const LineSite &site : cells.source_sites)
-        interaction.add(site, cells.target, {}, site.weight, request, local);
-      if (request >= Request::tangent)
-        local.symmetrize();
+      add_sites(interaction, cells, {}, request, local);
     }
 
     LocalSystem<24>
@@ -174,11 +188,7 @@ namespace
             const Request    request,
             LocalSystem<24> &local) const
     {
-      local.reset(request);
-      for (const LineSite &site : cells.source_sites)
-        interaction.add(site, cells.target, place, site.weight, request, local);
-      if (request >= Request::tangent)
-        local.symmetrize();
+      add_sites(interaction, cells, place, request, local);
     }
   };
 
