@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 The Setae authors
 
+#include <boost/math/quadrature/gauss.hpp>
+
 #include <setae/verification/segments.h>
 
 #include <algorithm>
@@ -102,41 +104,81 @@ namespace Setae
     double
     SegmentIntegral::operator()(const double p, const Interval &z) const
     {
-      if (m == 1)
-        return std::asinh(z.end / p) - std::asinh(z.begin / p);
       if (z.begin < 0. && z.end > 0.)
-        return head(p, -z.begin) + head(p, z.end);
+        return m == 1 ? std::asinh(z.end / p) - std::asinh(z.begin / p) :
+                        head(p, -z.begin) + head(p, z.end);
 
       const double near = std::min(std::abs(z.begin), std::abs(z.end));
       const double far  = std::max(std::abs(z.begin), std::abs(z.end));
+      if (m == 1)
+        {
+          const double r_near = std::hypot(p, near), r_far = std::hypot(p, far);
+          return std::log1p((far - near) *
+                            (1. + (far + near) / (r_far + r_near)) /
+                            (near + r_near));
+        }
       return near < p ? head(p, far) - head(p, near) :
                         tail(p, near) - tail(p, far);
     }
 
 
 
-    DoubleSegmentIntegral::DoubleSegmentIntegral(const unsigned int exponent,
-                                                 const Overlap     &overlap)
-      : m(exponent)
-      , plateau(std::min(overlap.length_1, overlap.length_2))
-      , segment(exponent)
+    PairMeasure::PairMeasure(const Overlap &overlap)
+      : PairMeasure(-overlap.shift - overlap.length_2,
+                    .5 * overlap.length_1,
+                    .5 * overlap.length_2)
+    {}
+
+
+
+    PairMeasure::PairMeasure(const double gap,
+                             const double half_1,
+                             const double half_2)
     {
-      const double begin = -overlap.shift - overlap.length_2;
-      const double end   = overlap.length_1 - overlap.shift;
-      rise               = {begin, begin + plateau};
-      top                = {begin + plateau, end - plateau};
-      fall               = {end - plateau, end};
+      const double shorter = 2. * std::min(half_1, half_2);
+      const double longer  = 2. * std::max(half_1, half_2);
+      rise                 = {gap, gap + shorter};
+      top                  = {gap + shorter, gap + longer};
+      fall                 = {gap + longer, gap + (longer + shorter)};
+    }
+
+
+
+    DoubleSegmentIntegral::DoubleSegmentIntegral(const unsigned int exponent)
+      : m(exponent)
+      , segment(exponent)
+    {}
+
+
+
+    double
+    DoubleSegmentIntegral::ramp(const double p, const Interval &z) const
+    {
+      // Of a short interval far away the two parts would cancel, but there the
+      // integrand is smooth.
+      const double width = z.end - z.begin;
+      const double near  = std::max({0., z.begin, -z.end});
+      if (2. * width < std::hypot(p, near))
+        return boost::math::quadrature::gauss<double, 10>::integrate(
+          [&](const double z_i) {
+            return (z_i - z.begin) * std::pow(p * p + z_i * z_i, -.5 * m);
+          },
+          z.begin,
+          z.end);
+      return first_moment(m, p, z) - z.begin * segment(p, z);
     }
 
 
 
     double
-    DoubleSegmentIntegral::operator()(const double p) const
+    DoubleSegmentIntegral::operator()(const double       p,
+                                      const PairMeasure &pairs) const
     {
-      double sum = first_moment(m, p, rise) - rise.begin * segment(p, rise) +
-                   fall.end * segment(p, fall) - first_moment(m, p, fall);
+      const Interval &top = pairs.top;
+      double          sum =
+        ramp(p, pairs.rise) + ramp(p, {-pairs.fall.end, -pairs.fall.begin});
       if (top.begin < top.end)
-        sum += plateau * segment(p, top);
+        sum += (pairs.rise.end - pairs.rise.begin) * segment(p, top);
       return sum;
     }
   } // namespace References

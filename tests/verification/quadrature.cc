@@ -313,7 +313,8 @@ TEST(ReferencePotentials, PairsOfSegmentsMatchQuadrature)
                            p,
                            1e-10)
               .value;
-          EXPECT_NEAR(DoubleSegmentIntegral(m, overlap)(p) / expected,
+          EXPECT_NEAR(DoubleSegmentIntegral(m)(p, PairMeasure(overlap)) /
+                        expected,
                       1.,
                       1e-10);
         }

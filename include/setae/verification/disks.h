@@ -143,6 +143,24 @@ namespace Setae
                     const Disk         &disk_1,
                     const Disk         &disk_2,
                     double              tolerance = default_tolerance);
+
+
+
+    EnergyAndForce
+    disks_by_points(const InversePower         &power,
+                    const SectionPair          &sections,
+                    const Disk                 &disk_1,
+                    const Disk                 &disk_2,
+                    const dealii::Tensor<1, 3> &direction,
+                    double                      tolerance = default_tolerance);
+
+    /** The energy alone. */
+    Estimate
+    energy_of_disks_by_points(const InversePower &power,
+                              const SectionPair  &sections,
+                              const Disk         &disk_1,
+                              const Disk         &disk_2,
+                              double tolerance = default_tolerance);
   } // namespace References
 } // namespace Setae
 
