@@ -31,6 +31,36 @@ namespace Setae
 
 
 
+      /**
+       * Whether an interval is so short and far away that the integrals up to
+       * its ends would cancel, but also so smooth that a few points suffice.
+       */
+      bool
+      is_far(const double p, const Interval &z)
+      {
+        const double near = std::max({0., z.begin, -z.end});
+        return 2. * (z.end - z.begin) < std::hypot(p, near);
+      }
+
+
+
+      template <typename Weight>
+      double
+      far_integral(const Weight      &weight,
+                   const unsigned int m,
+                   const double       p,
+                   const Interval    &z)
+      {
+        return boost::math::quadrature::gauss<double, 10>::integrate(
+          [&](const double z_i) {
+            return weight(z_i) * std::pow(p * p + z_i * z_i, -.5 * m);
+          },
+          z.begin,
+          z.end);
+      }
+
+
+
       /** The integral of z (p^2+z^2)^(-m/2). */
       double
       first_moment(const unsigned int m, const double p, const Interval &z)
@@ -104,6 +134,8 @@ namespace Setae
     double
     SegmentIntegral::operator()(const double p, const Interval &z) const
     {
+      if (is_far(p, z))
+        return far_integral([](const double) { return 1.; }, m, p, z);
       if (z.begin < 0. && z.end > 0.)
         return m == 1 ? std::asinh(z.end / p) - std::asinh(z.begin / p) :
                         head(p, -z.begin) + head(p, z.end);
@@ -134,12 +166,12 @@ namespace Setae
     PairMeasure::PairMeasure(const double gap,
                              const double half_1,
                              const double half_2)
+      : plateau(2. * std::min(half_1, half_2))
     {
-      const double shorter = 2. * std::min(half_1, half_2);
-      const double longer  = 2. * std::max(half_1, half_2);
-      rise                 = {gap, gap + shorter};
-      top                  = {gap + shorter, gap + longer};
-      fall                 = {gap + longer, gap + (longer + shorter)};
+      const double longer = 2. * std::max(half_1, half_2);
+      rise                = {gap, gap + plateau};
+      top                 = {gap + plateau, gap + longer};
+      fall                = {gap + longer, gap + (longer + plateau)};
     }
 
 
@@ -154,17 +186,11 @@ namespace Setae
     double
     DoubleSegmentIntegral::ramp(const double p, const Interval &z) const
     {
-      // Of a short interval far away the two parts would cancel, but there the
-      // integrand is smooth.
-      const double width = z.end - z.begin;
-      const double near  = std::max({0., z.begin, -z.end});
-      if (2. * width < std::hypot(p, near))
-        return boost::math::quadrature::gauss<double, 10>::integrate(
-          [&](const double z_i) {
-            return (z_i - z.begin) * std::pow(p * p + z_i * z_i, -.5 * m);
-          },
-          z.begin,
-          z.end);
+      if (is_far(p, z))
+        return far_integral([&](const double z_i) { return z_i - z.begin; },
+                            m,
+                            p,
+                            z);
       return first_moment(m, p, z) - z.begin * segment(p, z);
     }
 
@@ -178,7 +204,7 @@ namespace Setae
       double          sum =
         ramp(p, pairs.rise) + ramp(p, {-pairs.fall.end, -pairs.fall.begin});
       if (top.begin < top.end)
-        sum += (pairs.rise.end - pairs.rise.begin) * segment(p, top);
+        sum += pairs.plateau * segment(p, top);
       return sum;
     }
   } // namespace References

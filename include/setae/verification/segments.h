@@ -90,6 +90,7 @@ namespace Setae
        */
       PairMeasure(double gap, double half_1, double half_2);
 
+      double   plateau; ///< length of the shorter segment
       Interval rise, top, fall;
     };
 
