@@ -3,6 +3,7 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 
+#include <setae/base/integer_power.h>
 #include <setae/verification/segments.h>
 
 #include <algorithm>
@@ -31,6 +32,16 @@ namespace Setae
 
 
 
+      /** @f$(r^2)^{-m/2}@f$ */
+      double
+      inverse_power(const double r2, const unsigned int m)
+      {
+        const double even = integer_power(1. / r2, m / 2);
+        return m % 2 == 0 ? even : even / std::sqrt(r2);
+      }
+
+
+
       /**
        * Whether an interval is so short and far away that the integrals up to
        * its ends would cancel, but also so smooth that a few points suffice.
@@ -38,8 +49,9 @@ namespace Setae
       bool
       is_far(const double p, const Interval &z)
       {
-        const double near = std::max({0., z.begin, -z.end});
-        return 2. * (z.end - z.begin) < std::hypot(p, near);
+        const double near  = std::max({0., z.begin, -z.end});
+        const double width = z.end - z.begin;
+        return 4. * width * width < p * p + near * near;
       }
 
 
@@ -53,7 +65,7 @@ namespace Setae
       {
         return boost::math::quadrature::gauss<double, 10>::integrate(
           [&](const double z_i) {
-            return weight(z_i) * std::pow(p * p + z_i * z_i, -.5 * m);
+            return weight(z_i) * inverse_power(p * p + z_i * z_i, m);
           },
           z.begin,
           z.end);
@@ -72,7 +84,9 @@ namespace Setae
             std::log1p((z.end - z.begin) * (z.end + z.begin) / a);
         if (m == 2)
           return .5 * log_ratio;
-        return std::pow(std::min(a, b), 1. - .5 * m) / (2. - m) *
+        const double near = std::min(a, b);
+        return (m == 1 ? std::sqrt(near) : inverse_power(near, m - 2)) /
+               (2. - m) *
                (b >= a ? std::expm1((1. - .5 * m) * log_ratio) :
                          -std::expm1((.5 * m - 1.) * log_ratio));
       }
@@ -90,6 +104,7 @@ namespace Setae
 
     SegmentIntegral::SegmentIntegral(const unsigned int exponent)
       : m(exponent)
+      , half_line(m > 1 ? .5 * line_factor(m) : 0.)
     {
       // Both arguments are at most 1/2; the first series takes long to start
       // falling if m is large.
@@ -110,9 +125,9 @@ namespace Setae
     SegmentIntegral::head(const double p, const double a) const
     {
       if (a >= p)
-        return .5 * line_factor(m) * std::pow(p, 1. - m) - tail(p, a);
+        return half_line * inverse_power(p * p, m - 1) - tail(p, a);
       const double rho2 = p * p + a * a;
-      return a * std::pow(rho2, -.5 * m) * sum(head_series, a * a / rho2);
+      return a * inverse_power(rho2, m) * sum(head_series, a * a / rho2);
     }
 
 
@@ -123,9 +138,9 @@ namespace Setae
       if (std::isinf(a))
         return 0.;
       if (a < p)
-        return .5 * line_factor(m) * std::pow(p, 1. - m) - head(p, a);
+        return half_line * inverse_power(p * p, m - 1) - head(p, a);
       const double rho2 = p * p + a * a;
-      return a * std::pow(rho2, -.5 * m) / (m - 1.) *
+      return a * inverse_power(rho2, m) / (m - 1.) *
              sum(tail_series, p * p / rho2);
     }
 

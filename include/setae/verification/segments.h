@@ -58,7 +58,8 @@ namespace Setae
       double
       tail(double p, double a) const;
 
-      unsigned int        m;
+      unsigned int m;
+      double       half_line; ///< half of line_factor(), finite if m >= 2
       std::vector<double> head_series;
       std::vector<double> tail_series;
     };
