@@ -175,17 +175,15 @@ namespace Setae
         return m * pair.height * pair.half_2 *
                segments_of_slope(pair.distance, pair.points);
       };
-      // In their planes a disk is moved by moving its edge.
-      const auto along = [&](const PairOfChords &pair) {
-        return pair.half_2 * (segment(pair.distance, pair.points.rise) -
-                              segment(pair.distance, pair.points.fall));
-      };
-      const auto lateral = [&](const PairOfChords &pair) {
+      // In its plane the second disk is moved by moving its edge, where it
+      // meets the potential of the first one: one chord at both its ends.
+      const auto at_begin = [&](const PairOfChords &pair) {
         const double begin = pair.points.rise.begin;
-        const double end   = pair.points.fall.end;
-        return pair.from_center_2 *
-               (segment(pair.distance, {begin, begin + 2. * pair.half_1}) +
-                segment(pair.distance, {end - 2. * pair.half_1, end}));
+        return segment(pair.distance, {begin, begin + 2. * pair.half_1});
+      };
+      const auto at_end = [&](const PairOfChords &pair) {
+        const double end = pair.points.fall.end;
+        return segment(pair.distance, {end - 2. * pair.half_1, end});
       };
 
       Estimate   force;
@@ -193,9 +191,16 @@ namespace Setae
         if (component != 0.)
           force = force + component * integrate(pairs, f, tolerance);
       };
+      const double along = direction * pairs.along;
       add(direction * pairs.normal, normal);
-      add(direction * pairs.along, along);
-      add(direction * pairs.lateral, lateral);
+      add(along, [&](const PairOfChords &pair) {
+        return pair.half_2 * at_begin(pair);
+      });
+      add(-along,
+          [&](const PairOfChords &pair) { return pair.half_2 * at_end(pair); });
+      add(direction * pairs.lateral, [&](const PairOfChords &pair) {
+        return pair.from_center_2 * (at_begin(pair) + at_end(pair));
+      });
       return {energy_of_disks(power, sections, disk_1, disk_2, tolerance),
               power.prefactor * sections.density_1 * sections.density_2 *
                 force};

@@ -233,6 +233,32 @@ TEST(ReferenceDisks, FacingDisksAgreeWithAnyPose)
 
 
 
+// What cancels is zero to the tolerance of what it is made of.
+TEST(ReferenceDisks, NoForceBreaksTheSymmetry)
+{
+  const SectionPair  pair = sections(1.5);
+  const Tensor<1, 3> x({1., 0., 0.}), y({0., 1., 0.}), z({0., 0., 1.});
+  for (const double gap : {1e-4, .5})
+    {
+      const Disk     rolled  = disk_at(pair, gap, Tensor<1, 3>({0., .6, .8}));
+      const Disk     opposed = {Tensor<1, 3>({0., 0., gap}), z};
+      const Estimate energy  = energy_of_disks({6, 1.}, pair, first, opposed);
+      for (const Tensor<1, 3> &sideways : {x, y})
+        EXPECT_NEAR(disks({6, 1.}, pair, first, opposed, sideways).force.value /
+                      energy.value,
+                    0.,
+                    1e-10);
+      const double force = disks({6, 1.}, pair, first, rolled, x).force.value;
+      for (const Tensor<1, 3> &sideways : {y, z})
+        EXPECT_NEAR(disks({6, 1.}, pair, first, rolled, sideways).force.value /
+                      force,
+                    0.,
+                    1e-10);
+    }
+}
+
+
+
 TEST(ReferenceDisks, ChordsAgreeWithPoints)
 {
   const SectionPair pair = sections(1.5);
