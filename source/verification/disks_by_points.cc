@@ -82,9 +82,8 @@ namespace Setae
                      const Tensor<1, 3> &direction,
                      const double        tolerance)
       {
-        const double h2       = view.height * view.height;
-        const double m        = power.exponent;
-        const double exponent = -.5 * m - 1.;
+        const double       h2 = view.height * view.height;
+        const unsigned int m  = power.exponent;
         // The two parts may cancel: each has its own tolerance.
         const double in_plane   = view.outward * direction;
         const double along_axis = view.height * (disk.normal * direction);
@@ -92,7 +91,7 @@ namespace Setae
         if (in_plane != 0. && view.gap > -R)
           sum += in_plane * slope_over_disk(
                               [&](const double p) {
-                                return p * std::pow(p * p + h2, exponent);
+                                return p * inverse_power(p * p + h2, m + 2);
                               },
                               R,
                               view.gap,
@@ -101,7 +100,7 @@ namespace Setae
         if (along_axis != 0.)
           sum += along_axis * integrate_over_disk(
                                 [&](const double p) {
-                                  return std::pow(p * p + h2, exponent);
+                                  return inverse_power(p * p + h2, m + 2);
                                 },
                                 R,
                                 view.gap,

@@ -32,16 +32,6 @@ namespace Setae
 
 
 
-      /** @f$(r^2)^{-m/2}@f$ */
-      double
-      inverse_power(const double r2, const unsigned int m)
-      {
-        const double even = integer_power(1. / r2, m / 2);
-        return m % 2 == 0 ? even : even / std::sqrt(r2);
-      }
-
-
-
       /**
        * Whether an interval is so short and far away that the integrals up to
        * its ends would cancel, but also so smooth that a few points suffice.
@@ -91,6 +81,15 @@ namespace Setae
                          -std::expm1((.5 * m - 1.) * log_ratio));
       }
     } // namespace
+
+
+
+    double
+    inverse_power(const double r2, const unsigned int m)
+    {
+      const double even = integer_power(1. / r2, m / 2);
+      return m % 2 == 0 ? even : even / std::sqrt(r2);
+    }
 
 
 

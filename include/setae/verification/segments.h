@@ -11,6 +11,12 @@ namespace Setae
 {
   namespace References
   {
+    /** @f$r^{-m}@f$ of the square of a distance. */
+    double
+    inverse_power(double distance_square, unsigned int exponent);
+
+
+
     /** The factor between a line of points and one point,
      * @f[ \int_{-\infty}^{\infty}(x^2+z^2)^{-m/2}\,dz =
      *     \frac{\sqrt\pi\,\Gamma(\frac{m-1}2)}{\Gamma(\frac m2)}\,x^{1-m},
