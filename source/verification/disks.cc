@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace Setae
 {
@@ -18,6 +19,14 @@ namespace Setae
 
       /** For the size of an integral that tells what is negligible. */
       constexpr double rough = .1;
+
+      ChordFunction
+      magnitude(const ChordFunction &f)
+      {
+        return [&f](const PairOfChords &pair) { return std::abs(f(pair)); };
+      }
+
+
 
       /** The turn within which anything changes next to a pair. */
       double
@@ -51,13 +60,18 @@ namespace Setae
 
 
 
-      /** Where the integral over the first angle has peaks or edges. */
+      /** Where the integral over the first angle has peaks or edges; tips of
+       * the first disk that are close to the second one are both. */
       std::vector<double>
       peaks(const PairsOfChords &pairs)
       {
         const double        same   = .1 * scale(pairs, pairs.first);
         std::vector<double> result = pairs.crossing_edges();
         result.push_back(0.);
+        for (const double tip :
+             {pairs.first.first_turn(), pairs.first.last_turn()})
+          if (scale(pairs.row(tip), pairs.first) < .1)
+            result.push_back(tip);
         std::sort(result.begin(), result.end());
         const auto last = std::unique(result.begin(),
                                       result.end(),
@@ -77,20 +91,15 @@ namespace Setae
                      const double         tolerance,
                      const double         negligible)
       {
-        const auto along_row = [&](const double turn) {
-          const PairsOfChords row  = pairs.row(turn);
-          const double        size = integrate_row(
-            row,
-            [&](const PairOfChords &pair) { return std::abs(f(pair)); },
-            rough,
-            inner(negligible / pairs.first.radius()));
+        const double of_a_row  = inner(negligible / pairs.first.radius());
+        const auto   along_row = [&](const double turn) {
+          const PairsOfChords row = pairs.row(turn);
+          const double size = integrate_row(row, magnitude(f), rough, of_a_row);
           return pairs.first.half_length(turn) *
                  integrate_row(row,
                                f,
                                inner(tolerance),
-                               std::max(inner(tolerance) * size,
-                                        inner(negligible /
-                                              pairs.first.radius())));
+                               std::max(inner(tolerance) * size, of_a_row));
         };
         const std::vector<double> turns = peaks(pairs);
         Estimate                  sum;
@@ -127,12 +136,7 @@ namespace Setae
                 const double         tolerance)
       {
         const double size =
-          integrate_rows(
-            pairs,
-            [&](const PairOfChords &pair) { return std::abs(f(pair)); },
-            rough,
-            0.)
-            .value;
+          integrate_rows(pairs, magnitude(f), rough, 0.).value;
         return integrate_rows(pairs, f, tolerance, tolerance * size);
       }
     } // namespace
