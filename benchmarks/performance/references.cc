@@ -69,6 +69,27 @@ main(int argc, char *argv[])
                  {beside(gap), first.normal},
                  Tensor<1, 3>({-1., 0., 0.}));
   });
+  add("disks/rolled", [](const Power &power, const double gap) {
+    return disks(power,
+                 sections,
+                 first,
+                 {beside(gap), Tensor<1, 3>({0., .6, .8})},
+                 Tensor<1, 3>({-1., 0., 0.}));
+  });
+  // Their planes are turned by 1e-4, face to face or partly so.
+  for (const double displacement : {0., .5})
+    add(displacement == 0. ? "disks/almost_facing" : "disks/partly_facing",
+        [=](const Power &power, const double gap) {
+          const double turn = 1e-4;
+          return disks(
+            power,
+            sections,
+            first,
+            {Tensor<1, 3>(
+               {displacement, 0., gap + sections.radius_2 * std::sin(turn)}),
+             Tensor<1, 3>({std::sin(turn), 0., std::cos(turn)})},
+            Tensor<1, 3>({0., .6, -.8}));
+        });
   add("disk_and_cylinder/tilted", [](const Power &power, const double gap) {
     return disk_and_cylinder(power, sections, {gap, .6, .48});
   });

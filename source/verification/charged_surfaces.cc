@@ -131,9 +131,10 @@ namespace Setae
       const double R1 = sections.radius_1, R2 = sections.radius_2;
       const double d = R1 + R2 + gap;
 
-      const DoubleSegmentIntegral segments(power.exponent, overlap);
+      const PairMeasure           pairs(overlap);
+      const DoubleSegmentIntegral segments(power.exponent);
       const auto                  along_axes = [&](const double r2) {
-        return segments(std::sqrt(r2));
+        return segments(std::sqrt(r2), pairs);
       };
       const auto from_point = [&](const double beta) {
         const double half      = std::sin(.5 * beta);

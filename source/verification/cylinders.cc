@@ -244,9 +244,9 @@ namespace Setae
       check(power, 1, gap);
       // A shift takes from the fall of the double integral what the rise gets.
       const unsigned int          m = power.exponent;
-      const DoubleSegmentIntegral pairs(m, overlap),
-        pairs_of_slope(m + 2, overlap);
-      const SegmentIntegral segment(m);
+      const PairMeasure           pairs(overlap);
+      const DoubleSegmentIntegral segments(m), segments_of_slope(m + 2);
+      const SegmentIntegral       segment(m);
 
       const auto along = [&](const Interval &z) {
         return integrate_over_disks([&](
@@ -256,10 +256,16 @@ namespace Setae
                                     tolerance);
       };
       const double k = power.prefactor;
-      return {k * integrate_over_disks(pairs, sections, gap, tolerance),
+      return {k * integrate_over_disks(
+                    [&](const double p) { return segments(p, pairs); },
+                    sections,
+                    gap,
+                    tolerance),
               k * m *
                 force_over_disks(
-                  [&](const double p) { return -p * pairs_of_slope(p); },
+                  [&](const double p) {
+                    return -p * segments_of_slope(p, pairs);
+                  },
                   sections,
                   gap,
                   tolerance),

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 The Setae authors
 
-#include <setae/base/exceptions.h>
-#include <setae/verification/disk_integral.h>
-#include <setae/verification/disks.h>
+#include <setae/verification/chords.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace Setae
 {
@@ -16,243 +15,130 @@ namespace Setae
 
     namespace
     {
-      /** A disk as a point sees it: gap in its plane and height above it. */
-      struct DiskView
+      using ChordFunction = std::function<double(const PairOfChords &)>;
+
+      /** For the size of an integral that tells what is negligible. */
+      constexpr double rough = .1;
+
+      ChordFunction
+      magnitude(const ChordFunction &f)
       {
-        double       gap;
-        double       height;
-        Tensor<1, 3> outward; ///< unit vector in the plane
-
-        double
-        distance() const
-        {
-          return std::hypot(height, std::max(gap, 0.));
-        }
-      };
-
-
-
-      DiskView
-      view_of_disk(const Tensor<1, 3> &point, const Disk &disk, const double R)
-      {
-        const Tensor<1, 3> x = point - disk.center;
-        DiskView           view;
-        view.height    = x * disk.normal;
-        view.outward   = x - view.height * disk.normal;
-        const double t = view.outward.norm();
-        view.gap       = t - R;
-        if (t > 0.)
-          view.outward /= t;
-        return view;
+        return [&f](const PairOfChords &pair) { return std::abs(f(pair)); };
       }
 
 
 
-      /** The view from a point next to one whose view is known. */
-      DiskView
-      view_from_neighbor(const DiskView     &view,
-                         const Tensor<1, 3> &step,
-                         const Disk         &disk,
-                         const double        R)
+      /** The turn within which anything changes next to a pair. */
+      double
+      scale(const PairsOfChords &pairs, const Chords &chords)
       {
-        const double       t  = R + view.gap;
-        const double       up = step * disk.normal;
-        const Tensor<1, 3> a  = step - up * disk.normal;
+        return std::min(1.,
+                        pairs.pair(0., 0.).smallest_distance() /
+                          chords.radius());
+      }
 
-        DiskView result;
-        result.height      = view.height + up;
-        result.outward     = t * view.outward + a;
-        const double t_new = result.outward.norm();
-        result.gap         = (view.gap * (2. * R + view.gap) +
-                      2. * t * (view.outward * a) + a * a) /
-                     (t_new + R);
-        if (t_new > 0.)
-          result.outward /= t_new;
+
+
+      /** The integral over the second angle, from the nearest chord on. */
+      double
+      integrate_row(const PairsOfChords &row,
+                    const ChordFunction &f,
+                    const double         tolerance,
+                    const double         negligible)
+      {
+        return integrate_peak(
+                 [&](const double turn) { return f(row.pair(0., turn)); },
+                 row.second.first_turn(),
+                 row.second.last_turn(),
+                 0.,
+                 scale(row, row.second),
+                 tolerance,
+                 0.,
+                 negligible)
+          .value;
+      }
+
+
+
+      /** Where the integral over the first angle has peaks or edges; tips of
+       * the first disk that are close to the second one are both. */
+      std::vector<double>
+      peaks(const PairsOfChords &pairs)
+      {
+        const double        same   = .1 * scale(pairs, pairs.first);
+        std::vector<double> result = pairs.crossing_edges();
+        result.push_back(0.);
+        for (const double tip :
+             {pairs.first.first_turn(), pairs.first.last_turn()})
+          if (scale(pairs.row(tip), pairs.first) < .1)
+            result.push_back(tip);
+        std::sort(result.begin(), result.end());
+        const auto last = std::unique(result.begin(),
+                                      result.end(),
+                                      [&](const double a, const double b) {
+                                        return b - a < same;
+                                      });
+        result.erase(last, result.end());
         return result;
       }
 
 
 
-      /** Minus the derivative of the potential of a point along a direction. */
-      double
-      force_on_point(const InversePower &power,
-                     const double        R,
-                     const DiskView     &view,
-                     const Disk         &disk,
-                     const Tensor<1, 3> &direction,
-                     const double        tolerance)
+      /** The integral over both angles of f R1 cos(chi1). */
+      Estimate
+      integrate_rows(const PairsOfChords &pairs,
+                     const ChordFunction &f,
+                     const double         tolerance,
+                     const double         negligible)
       {
-        const double h2       = view.height * view.height;
-        const double m        = power.exponent;
-        const double exponent = -.5 * m - 1.;
-        // The two parts may cancel: each has its own tolerance.
-        const double in_plane   = view.outward * direction;
-        const double along_axis = view.height * (disk.normal * direction);
-        double       sum        = 0.;
-        if (in_plane != 0. && view.gap > -R)
-          sum += in_plane * slope_over_disk(
-                              [&](const double p) {
-                                return p * std::pow(p * p + h2, exponent);
-                              },
-                              R,
-                              view.gap,
-                              tolerance)
-                              .value;
-        if (along_axis != 0.)
-          sum += along_axis * integrate_over_disk(
-                                [&](const double p) {
-                                  return std::pow(p * p + h2, exponent);
-                                },
-                                R,
-                                view.gap,
-                                tolerance,
-                                std::abs(view.height))
-                                .value;
-        return power.prefactor * m * sum;
+        const double of_a_row  = inner(negligible / pairs.first.radius());
+        const auto   along_row = [&](const double turn) {
+          const PairsOfChords row = pairs.row(turn);
+          const double size = integrate_row(row, magnitude(f), rough, of_a_row);
+          return pairs.first.half_length(turn) *
+                 integrate_row(row,
+                               f,
+                               inner(tolerance),
+                               std::max(inner(tolerance) * size, of_a_row));
+        };
+        const std::vector<double> turns = peaks(pairs);
+        Estimate                  sum;
+        double                    begin = pairs.first.first_turn();
+        for (unsigned int i = 0; i < turns.size(); ++i)
+          {
+            const double end = i + 1 < turns.size() ?
+                                 .5 * (turns[i] + turns[i + 1]) :
+                                 pairs.first.last_turn();
+            if (begin < end)
+              sum =
+                sum + integrate_peak(along_row,
+                                     begin,
+                                     end,
+                                     turns[i],
+                                     scale(pairs.row(turns[i]), pairs.first),
+                                     tolerance,
+                                     0.,
+                                     negligible);
+            begin = end;
+          }
+        return sum;
       }
-
-
-
-      /** The disk that is integrated over, and its point next to the other. */
-      class OuterDisk
-      {
-      public:
-        OuterDisk(const Disk  &disk,
-                  const double radius,
-                  const Disk  &other,
-                  const double other_radius)
-          : R(radius)
-          , other(other)
-          , other_radius(other_radius)
-        {
-          // The x-axis points to the center of the other disk.
-          const Tensor<1, 3> &n = disk.normal;
-          e                     = other.center - disk.center;
-          e -= (e * n) * n;
-          if (e.norm() < 1e-8 * R)
-            {
-              unsigned int smallest = 0;
-              for (unsigned int c = 1; c < 3; ++c)
-                if (std::abs(n[c]) < std::abs(n[smallest]))
-                  smallest = c;
-              e           = 0.;
-              e[smallest] = 1.;
-              e -= (e * n) * n;
-            }
-          e /= e.norm();
-          f = dealii::cross_product_3d(n, e);
-
-          const auto view = [&](const double x, const double y) {
-            return view_of_disk(disk.center + x * e + y * f,
-                                other,
-                                other_radius);
-          };
-          nearest = nearest_point_of_disk(
-            [&](const double x, const double y) {
-              return view(x, y).distance();
-            },
-            R);
-          AssertThrow(nearest.distance > 0., ExcRun("The disks touch."));
-          from_nearest = view(nearest.radius * std::cos(nearest.angle),
-                              nearest.radius * std::sin(nearest.angle));
-        }
-
-        /** Whether the other disk is next to the edge, a sharper peak. */
-        bool
-        is_met_at_edge() const
-        {
-          return nearest.radius == R;
-        }
-
-        /** The integral of what points feel of the other disk. */
-        Estimate
-        integrate(const std::function<double(const DiskView &)> &felt,
-                  const double tolerance) const
-        {
-          return integrate_over_disk(
-            [&](const double dx, const double dy) {
-              return felt(view_from_neighbor(
-                from_nearest, dx * e + dy * f, other, other_radius));
-            },
-            R,
-            nearest,
-            tolerance);
-        }
-
-      private:
-        double       R;
-        Disk         other;
-        double       other_radius;
-        Tensor<1, 3> e, f;
-        DiskPoint    nearest;
-        DiskView     from_nearest;
-      };
 
 
 
       /**
-       * The integral over whichever disk is met at its edge, the first one if
-       * both are.
-       *
-       * @param felt What a point of one disk, given by its view, feels of the
-       * other one, which is given with its radius, and whether it is the first.
+       * The same to a tolerance that is relative to the integral of the
+       * magnitude of f, whose signs may cancel.
        */
       Estimate
-      over_one_disk(
-        const std::function<
-          double(const DiskView &, const Disk &, double, bool)> &felt,
-        const SectionPair                                       &sections,
-        const Disk                                              &disk_1,
-        const Disk                                              &disk_2,
-        const double                                             tolerance)
+      integrate(const PairsOfChords &pairs,
+                const ChordFunction &f,
+                const double         tolerance)
       {
-        const double    R1 = sections.radius_1, R2 = sections.radius_2;
-        const OuterDisk first(disk_1, R1, disk_2, R2);
-        const double    densities = sections.density_1 * sections.density_2;
-        if (!first.is_met_at_edge())
-          {
-            const OuterDisk second(disk_2, R2, disk_1, R1);
-            if (second.is_met_at_edge())
-              return densities * second.integrate(
-                                   [&](const DiskView &view) {
-                                     return felt(view, disk_1, R1, true);
-                                   },
-                                   tolerance);
-          }
-        return densities * first.integrate(
-                             [&](const DiskView &view) {
-                               return felt(view, disk_2, R2, false);
-                             },
-                             tolerance);
+        const double size =
+          integrate_rows(pairs, magnitude(f), rough, 0.).value;
+        return integrate_rows(pairs, f, tolerance, tolerance * size);
       }
-      /** How two parallel disks face each other. */
-      struct Facing
-      {
-        bool         is_so;
-        double       distance, displacement;
-        Tensor<1, 3> normal, sideways; ///< from the second disk to the first
-
-        Facing(const SectionPair &sections,
-               const Disk        &disk_1,
-               const Disk        &disk_2)
-        {
-          constexpr double round_off = 1e-14;
-
-          const Tensor<1, 3> d = disk_1.center - disk_2.center;
-          const double       h = d * disk_1.normal;
-          sideways             = d - h * disk_1.normal;
-          displacement         = sideways.norm();
-          if (displacement > 0.)
-            sideways /= displacement;
-          normal   = (h < 0. ? -1. : 1.) * disk_1.normal;
-          distance = std::abs(h);
-          is_so =
-            dealii::cross_product_3d(disk_1.normal, disk_2.normal).norm() <
-              round_off &&
-            distance > 0. &&
-            displacement < sections.radius_1 + sections.radius_2;
-        }
-      };
     } // namespace
 
 
@@ -264,23 +150,14 @@ namespace Setae
                     const Disk         &disk_2,
                     const double        tolerance)
     {
-      if (const Facing facing(sections, disk_1, disk_2); facing.is_so)
-        return facing_disks(power,
-                            sections,
-                            facing.distance,
-                            facing.displacement,
-                            tolerance)
-          .energy;
-      return over_one_disk(
-        [&](const DiskView &view, const Disk &, const double R, bool) {
-          return point_and_disk(
-                   power, R, view.gap, view.height, inner(inner(tolerance)))
-            .value;
-        },
-        sections,
-        disk_1,
-        disk_2,
-        tolerance);
+      const DoubleSegmentIntegral segments(power.exponent);
+      return power.prefactor * sections.density_1 * sections.density_2 *
+             integrate(
+               PairsOfChords(sections, disk_1, disk_2),
+               [&](const PairOfChords &pair) {
+                 return pair.half_2 * segments(pair.distance, pair.points);
+               },
+               tolerance);
     }
 
 
@@ -293,23 +170,44 @@ namespace Setae
           const Tensor<1, 3> &direction,
           const double        tolerance)
     {
+      const unsigned int          m = power.exponent;
+      const SegmentIntegral       segment(m);
+      const DoubleSegmentIntegral segments_of_slope(m + 2);
+      const PairsOfChords         pairs(sections, disk_1, disk_2);
+
+      const auto normal = [&](const PairOfChords &pair) {
+        return m * pair.height * pair.half_2 *
+               segments_of_slope(pair.distance, pair.points);
+      };
+      // In its plane the second disk is moved by moving its edge, where it
+      // meets the potential of the first one: one chord at both its ends.
+      const auto at_begin = [&](const PairOfChords &pair) {
+        const double begin = pair.points.rise.begin;
+        return segment(pair.distance, {begin, begin + 2. * pair.half_1});
+      };
+      const auto at_end = [&](const PairOfChords &pair) {
+        const double end = pair.points.fall.end;
+        return segment(pair.distance, {end - 2. * pair.half_1, end});
+      };
+
+      Estimate   force;
+      const auto add = [&](const double component, const ChordFunction &f) {
+        if (component != 0.)
+          force = force + component * integrate(pairs, f, tolerance);
+      };
+      const double along = direction * pairs.along;
+      add(direction * pairs.normal, normal);
+      add(along, [&](const PairOfChords &pair) {
+        return pair.half_2 * at_begin(pair);
+      });
+      add(-along,
+          [&](const PairOfChords &pair) { return pair.half_2 * at_end(pair); });
+      add(direction * pairs.lateral, [&](const PairOfChords &pair) {
+        return pair.from_center_2 * (at_begin(pair) + at_end(pair));
+      });
       return {energy_of_disks(power, sections, disk_1, disk_2, tolerance),
-              over_one_disk(
-                [&](const DiskView &view,
-                    const Disk     &felt_disk,
-                    const double    R,
-                    const bool      is_first) {
-                  return force_on_point(power,
-                                        R,
-                                        view,
-                                        felt_disk,
-                                        is_first ? -1. * direction : direction,
-                                        inner(inner(tolerance)));
-                },
-                sections,
-                disk_1,
-                disk_2,
-                tolerance)};
+              power.prefactor * sections.density_1 * sections.density_2 *
+                force};
     }
   } // namespace References
 } // namespace Setae

@@ -240,18 +240,18 @@ namespace Setae
                  const double        tolerance)
     {
       const double h2                = distance * distance;
-      const auto   power_of_distance = [&](const double exponent) {
+      const auto   power_of_distance = [&](const unsigned int exponent) {
         return integrate_over_facing_disks(
-          [&](const double v) { return std::pow(v * v + h2, exponent); },
+          [&](const double v) { return inverse_power(v * v + h2, exponent); },
           sections,
           distance,
           displacement,
           tolerance);
       };
-      const double m = power.exponent;
+      const unsigned int m = power.exponent;
       return power.prefactor *
-             EnergyAndForce{power_of_distance(-.5 * m),
-                            m * distance * power_of_distance(-.5 * m - 1.)};
+             EnergyAndForce{power_of_distance(m),
+                            m * distance * power_of_distance(m + 2)};
     }
 
 
@@ -270,8 +270,8 @@ namespace Setae
       return -power.prefactor * sections.density_1 * sections.density_2 *
              over_pairs(
                [&](const double v) {
-                 return std::pow(v * v + distance * distance,
-                                 -.5 * power.exponent);
+                 return inverse_power(v * v + distance * distance,
+                                      power.exponent);
                },
                [&](const double v, const double tolerance) {
                  return disks.slope(v, tolerance);

@@ -167,21 +167,21 @@ namespace Setae
                  const double        offset,
                  const double        tolerance)
     {
-      const double m = power.exponent;
+      const unsigned int m = power.exponent;
       return power.prefactor *
              EnergyAndForce{integrate_over_disks(
                               [&](const double p) {
-                                return std::pow(p * p + offset * offset,
-                                                -.5 * m);
+                                return inverse_power(p * p + offset * offset,
+                                                     m);
                               },
                               sections,
                               gap,
                               tolerance),
                             force_over_disks(
                               [&](const double p) {
-                                return -m * p *
-                                       std::pow(p * p + offset * offset,
-                                                -.5 * m - 1.);
+                                return -1. * m * p *
+                                       inverse_power(p * p + offset * offset,
+                                                     m + 2);
                               },
                               sections,
                               gap,

@@ -235,11 +235,10 @@ namespace Setae
                    const double        height,
                    const double        tolerance)
     {
-      const double exponent = -.5 * power.exponent;
       return power.prefactor *
              integrate_over_disk(
                [&](const double p) {
-                 return std::pow(p * p + height * height, exponent);
+                 return inverse_power(p * p + height * height, power.exponent);
                },
                radius,
                gap,

@@ -207,29 +207,123 @@ TEST(ReferenceDisks, ForceDoesTheWork)
 
 
 
-// Exactly parallel disks are integrated over their overlap, those that are
-// turned by a little are not.
-TEST(ReferenceDisks, FacingDisksAreTheLimitOfAnyPose)
+// Chords do not know that the disks are parallel, and need no third dimension.
+TEST(ReferenceDisks, FacingDisksAgreeWithAnyPose)
 {
-  const double       turn = 1e-6;
-  const Tensor<1, 3> z({0., 0., 1.}),
-    turned({std::sin(turn), 0., std::cos(turn)});
-  const Tensor<1, 3> direction({.6, 0., .8});
+  const Tensor<1, 3> x({1., 0., 0.}), z({0., 0., 1.});
+  for (const unsigned int m : {1, 6, 12})
+    for (const double ratio : {1., .3})
+      for (const double displacement : {0., .5, 1.1})
+        for (const double gap : {.1, 1e-4})
+          {
+            const SectionPair  pair  = sections(ratio);
+            const InversePower power = {m, 1.};
+            const Disk second = {Tensor<1, 3>({-displacement, 0., -gap}), z};
+            expect_agreement(disks(power, pair, first, second, z),
+                             facing_disks(power, pair, gap, displacement),
+                             1e-10);
+            // Where edges are far from edges it is next to nothing.
+            if (displacement > .8)
+              expect_agreement(
+                disks(power, pair, first, second, x).force,
+                sideways_force_of_facing_disks(power, pair, gap, displacement),
+                1e-10);
+          }
+}
+
+
+
+// What cancels is zero to the tolerance of what it is made of.
+TEST(ReferenceDisks, NoForceBreaksTheSymmetry)
+{
+  const SectionPair  pair = sections(1.5);
+  const Tensor<1, 3> x({1., 0., 0.}), y({0., 1., 0.}), z({0., 0., 1.});
+  for (const double gap : {1e-4, .5})
+    {
+      const Disk     rolled  = disk_at(pair, gap, Tensor<1, 3>({0., .6, .8}));
+      const Disk     opposed = {Tensor<1, 3>({0., 0., gap}), z};
+      const Estimate energy  = energy_of_disks({6, 1.}, pair, first, opposed);
+      for (const Tensor<1, 3> &sideways : {x, y})
+        EXPECT_NEAR(disks({6, 1.}, pair, first, opposed, sideways).force.value /
+                      energy.value,
+                    0.,
+                    1e-10);
+      const double force = disks({6, 1.}, pair, first, rolled, x).force.value;
+      for (const Tensor<1, 3> &sideways : {y, z})
+        EXPECT_NEAR(disks({6, 1.}, pair, first, rolled, sideways).force.value /
+                      force,
+                    0.,
+                    1e-10);
+    }
+}
+
+
+
+TEST(ReferenceDisks, ChordsAgreeWithPoints)
+{
+  const SectionPair pair = sections(1.5);
   for (const unsigned int m : {1, 6})
-    for (const double ratio : {1., .5})
-      for (const double displacement : {0., 1.2})
+    for (const double gap : {1e-2, .5})
+      for (const Tensor<1, 3> normal : {Tensor<1, 3>({.8, 0., .6}),
+                                        Tensor<1, 3>({0., 1., 0.}),
+                                        Tensor<1, 3>({.48, .64, .6})})
         {
-          const Tensor<1, 3> center({displacement, 0., -.3});
-          const auto         exact =
-            disks({m, 1.}, sections(ratio), first, {center, z}, direction);
-          const auto limit = disks(
-            {m, 1.}, sections(ratio), first, {center, turned}, direction, 1e-7);
-          expect_agreement(limit, exact, 2e-5);
+          const Disk second = disk_at(pair, gap, normal);
           expect_agreement(
-            exact.energy,
-            facing_disks({m, 1.}, sections(ratio), .3, displacement).energy,
-            1e-14);
+            disks({m, 1.}, pair, first, second, towards_x, 1e-9),
+            disks_by_points({m, 1.}, pair, first, second, towards_x, 1e-9));
         }
+}
+
+
+
+// In front of the larger disk, where points have no edge to find, and partly
+// beside it.
+TEST(ReferenceDisks, ChordsAgreeWithPointsOfAlmostParallelDisks)
+{
+  struct Position
+  {
+    double ratio, displacement, gap;
+  };
+  const Tensor<1, 3> direction({.6, 0., .8});
+  const double       azimuth = .7;
+  for (const Position &position :
+       {Position{.3, .4, 1e-4}, Position{.3, 1.1, 1e-2}, Position{1., .5, .1}})
+    for (const double turn : {.03, 1e-6})
+      {
+        const SectionPair pair   = sections(position.ratio);
+        const Disk        second = {Tensor<1, 3>({position.displacement,
+                                                  0.,
+                                                  position.gap +
+                                                    position.ratio * std::sin(turn)}),
+                                    Tensor<1, 3>({std::sin(turn) * std::cos(azimuth),
+                                                  std::sin(turn) * std::sin(azimuth),
+                                                  std::cos(turn)})};
+        expect_agreement(
+          disks({6, 1.}, pair, first, second, direction, 1e-8),
+          disks_by_points({6, 1.}, pair, first, second, direction, 1e-8),
+          1e-8);
+      }
+}
+
+
+
+TEST(ReferenceDisks, ForceOfAlmostParallelDisksDoesTheWork)
+{
+  const double       turn = 1e-3;
+  const Tensor<1, 3> direction({.28, 0., -.96});
+  expect_work(
+    [&](const double way) {
+      return disks({6, 1.},
+                   sections(.3),
+                   first,
+                   {Tensor<1, 3>({1., .2, 1e-3}) - way * direction,
+                    Tensor<1, 3>({0., std::sin(turn), std::cos(turn)})},
+                   direction,
+                   1e-9);
+    },
+    0.,
+    1e-3);
 }
 
 

@@ -119,10 +119,13 @@ namespace Setae
     /**
      * Two disks at any position and orientation that do not touch, per length
      * squared, and the force on the first disk in the direction @p direction.
-     * What is left of the four-dimensional integral is a three-dimensional one
-     * around the point of a disk that is nearest to the other one. Two parallel
-     * disks that face each other have no such point; they are facing_disks().
-     * Almost parallel and close, they are slow.
+     * Both are taken apart into chords that are parallel to both planes. The
+     * integrals along two chords are known, which leaves two dimensions, and
+     * hardly any pose or gap is harder than another one.
+     *
+     * The force is the sum of its components along the chords, in the plane of
+     * the second disk and normal to it; the tolerance of each is relative to
+     * the integral of its magnitude.
      *
      * Positions have the round-off of their largest coordinate; divided by the
      * gap and multiplied by the exponent it is the relative error that no
@@ -143,6 +146,31 @@ namespace Setae
                     const Disk         &disk_1,
                     const Disk         &disk_2,
                     double              tolerance = default_tolerance);
+
+    /**
+     * The same once more in other coordinates, so that there are two ways to
+     * every number: what a point of one disk feels of the other one, integrated
+     * around the point that is nearest to it. Three dimensions are left, which
+     * takes longer. Not for disks that are almost parallel, closer than a
+     * hundredth of the radius and only partly in front of each other: the
+     * steps where an edge is above the other disk are too many and too steep
+     * to be found without fail.
+     */
+    EnergyAndForce
+    disks_by_points(const InversePower         &power,
+                    const SectionPair          &sections,
+                    const Disk                 &disk_1,
+                    const Disk                 &disk_2,
+                    const dealii::Tensor<1, 3> &direction,
+                    double                      tolerance = default_tolerance);
+
+    /** The energy alone. */
+    Estimate
+    energy_of_disks_by_points(const InversePower &power,
+                              const SectionPair  &sections,
+                              const Disk         &disk_1,
+                              const Disk         &disk_2,
+                              double tolerance = default_tolerance);
   } // namespace References
 } // namespace Setae
 

@@ -11,6 +11,12 @@ namespace Setae
 {
   namespace References
   {
+    /** @f$r^{-m}@f$ of the square of a distance. */
+    double
+    inverse_power(double distance_square, unsigned int exponent);
+
+
+
     /** The factor between a line of points and one point,
      * @f[ \int_{-\infty}^{\infty}(x^2+z^2)^{-m/2}\,dz =
      *     \frac{\sqrt\pi\,\Gamma(\frac{m-1}2)}{\Gamma(\frac m2)}\,x^{1-m},
@@ -58,7 +64,8 @@ namespace Setae
       double
       tail(double p, double a) const;
 
-      unsigned int        m;
+      unsigned int m;
+      double       half_line; ///< half of line_factor(), finite if m >= 2
       std::vector<double> head_series;
       std::vector<double> tail_series;
     };
@@ -74,25 +81,44 @@ namespace Setae
     };
 
     /**
-     * The integral of (p^2+(z1-z2)^2)^(-m/2) over two parallel segments. Of
-     * segments that lie one behind the other the round-off is that of double
-     * times the square of distance over length.
+     * The measure of the pairs of points of two parallel segments by z = z1-z2:
+     * it rises from zero to the length of the shorter segment, stays there and
+     * falls again.
+     */
+    struct PairMeasure
+    {
+      explicit PairMeasure(const Overlap &overlap);
+
+      /**
+       * Of two segments of which one begins where the other one ends but for a
+       * gap, as long as it is; a negative one if they are side by side.
+       *
+       * @param half_1, half_2 Half of their lengths.
+       */
+      PairMeasure(double gap, double half_1, double half_2);
+
+      double   plateau; ///< length of the shorter segment
+      Interval rise, top, fall;
+    };
+
+    /**
+     * The integral of (p^2+(z1-z2)^2)^(-m/2) over two parallel segments. Any
+     * exponent m >= 1.
      */
     class DoubleSegmentIntegral
     {
     public:
-      DoubleSegmentIntegral(unsigned int exponent, const Overlap &overlap);
+      explicit DoubleSegmentIntegral(unsigned int exponent);
 
       double
-      operator()(double p) const;
-
-      /** Intervals of z1-z2 in which the measure of its pairs goes from zero
-       * to the length of the shorter segment, stays there and returns. */
-      Interval rise, top, fall;
+      operator()(double p, const PairMeasure &pairs) const;
 
     private:
+      /** With z - z.begin as weight. */
+      double
+      ramp(double p, const Interval &z) const;
+
       unsigned int    m;
-      double          plateau; ///< length of the shorter segment
       SegmentIntegral segment;
     };
   } // namespace References
