@@ -39,12 +39,10 @@ namespace
   double
   energy(const TargetEnd<Law> &end, const FlatEnd::Pose<double> &pose)
   {
-    return end.value({true, false},
-                     SectionPose<double>{pose.square,
-                                         pose.along,
-                                         pose.cosine,
-                                         pose.z / length,
-                                         length});
+    return end.value(
+      {{true, false}, 0., CellPlace::infinity, length, 2. * length},
+      SectionPose<double>{
+        pose.square, pose.along, pose.cosine, pose.z / length, length});
   }
 
   /** A section with its center at (d, z) beside the axis. */

@@ -184,7 +184,7 @@ namespace Setae
       const Number length_1 = sqrt(a1 * a1), length_2 = sqrt(a2 * a2);
       const Number cosine = (a1 * a2) / (length_1 * length_2);
       const Number along  = (a1 * d) / length_1;
-      if (fading.is_finite() || end.is_finite(place.ends))
+      if (moves_on())
         return energy_near_end(
           place,
           SectionPose<Number>{Number(d * d), along, cosine, x, length_2});
@@ -310,9 +310,12 @@ namespace Setae
           const auto [least, most] = fading.parts(place, pose, at);
           if (!(most > 0.))
             return {0., true, false};
-          return {clearance(at.gap, pose.cosine, at.tilt), least < 1., true};
+          constexpr double round_off = 1e-12;
+          return {clearance(at.gap, pose.cosine, at.tilt),
+                  least < 1. - round_off,
+                  true};
         }
-      if (!end.is_finite(place.ends))
+      if (!end.is_finite(place, pose))
         return {surrogate(geometry).gap(), false, true};
       const double of_end = end.clearance(place.ends, pose);
       return {end.has_side(pose.square) ?
@@ -338,7 +341,7 @@ namespace Setae
                     const SectionPose<Number> &pose) const
     {
       return fading.is_finite() ? fading.value(place, pose) :
-                                  end.value(place.ends, pose);
+                                  end.value(place, pose);
     }
 
     /** Whether the closest point does not stop at the end of a target. */

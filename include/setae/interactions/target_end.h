@@ -4,8 +4,8 @@
 #ifndef setae_interactions_target_end_h
 #define setae_interactions_target_end_h
 
+#include <setae/fibers/cell_place.h>
 #include <setae/interactions/section_pose.h>
-#include <setae/kinematics/closest_point.h>
 #include <setae/laws/end_fraction.h>
 #include <setae/laws/flat_end.h>
 
@@ -45,11 +45,17 @@ namespace Setae
       return !terms.empty();
     }
 
-    /** Whether they matter in a cell with these ends. */
+    /** Whether they matter to a section. */
     bool
-    is_finite(const FiberEnds &ends) const
+    is_finite(const CellPlace &place, const SectionPose<double> &pose) const
     {
-      return !terms.empty() && (ends.left || ends.right);
+      if (terms.empty())
+        return false;
+      if (place.ends.left || place.ends.right)
+        return true;
+      return has_side(pose.square) &&
+             std::min(from_left(place, pose), from_right(place, pose)) <
+               reach(pose);
     }
 
     /** Whether a site has an infinite surrogate beside it. */
@@ -80,7 +86,7 @@ namespace Setae
     /** The energy of a section on any number type. */
     template <typename Number>
     Number
-    value(const FiberEnds &ends, const SectionPose<Number> &pose) const
+    value(const CellPlace &place, const SectionPose<Number> &pose) const
     {
       using std::sqrt;
       Number sum = 0.;
@@ -99,25 +105,28 @@ namespace Setae
                 H = flat_end.softened(gap);
             }
           Number     side_share = 1., missing = 0.;
-          const auto add_end = [&](const Number &inwards, const Number &x) {
-            const Number z     = x * pose.length;
-            const auto   front = flat_end.front(
-              FlatEnd::Pose<Number>{pose.square, pose.along, inwards, z}, H);
-            sum += front.energy;
-            side_share = side_share - (1. - front.side_share);
-            if (front.side_share > 0.)
-              missing +=
-                switched(Number(
-                           1. -
-                           term.fraction.value(
-                             term.fraction.distance(H), gap, inwards, tilt, z)),
-                         x,
-                         ends);
-          };
-          if (ends.left)
-            add_end(pose.cosine, pose.x);
-          if (ends.right)
-            add_end(Number(-pose.cosine), Number(1. - pose.x));
+          const auto add_end =
+            [&](const Number &inwards, const Number &z, const bool is_in_cell) {
+              if (is_in_cell)
+                {
+                  const auto front = flat_end.front(
+                    FlatEnd::Pose<Number>{pose.square, pose.along, inwards, z},
+                    H);
+                  sum += front.energy;
+                  side_share = side_share - (1. - front.side_share);
+                  if (!(front.side_share > 0.))
+                    return;
+                }
+              if (z < reach(pose))
+                missing +=
+                  CutoffSwitch(.7, 1.).value(Number(z / reach(pose))) *
+                  (1. - term.fraction.value(
+                          term.fraction.distance(H), gap, inwards, tilt, z));
+            };
+          add_end(pose.cosine, from_left(place, pose), place.ends.left);
+          add_end(Number(-pose.cosine),
+                  from_right(place, pose),
+                  place.ends.right);
           if (side_share > 0. && flat_end.has_side(pose.square))
             sum += side_share * (1. - missing) *
                    evaluate_law(term.law, gap, pose.cosine, tilt);
@@ -126,20 +135,33 @@ namespace Setae
     }
 
   private:
-    /**
-     * The effect of an end is switched off towards the inner node of its cell,
-     * because no other cell knows of it.
-     */
+    /** The distance along the target from its ends to the closest point. */
     template <typename Number>
     static Number
-    switched(const Number &missing, const Number &x, const FiberEnds &ends)
+    from_left(const CellPlace &place, const SectionPose<Number> &pose)
     {
-      const Number y = 2. - 2. * x;
-      if ((ends.left && ends.right) || y >= 1.)
-        return missing;
-      if (!(y > 0.))
-        return 0.;
-      return missing * (y * y * y * (10. - y * (15. - 6. * y)));
+      const double cells =
+        place.ends.left ? 0. : place.from_left / place.length;
+      return (cells + pose.x) * pose.length;
+    }
+
+    template <typename Number>
+    static Number
+    from_right(const CellPlace &place, const SectionPose<Number> &pose)
+    {
+      const double cells =
+        place.ends.right ? 0. : place.from_right / place.length;
+      return (cells + 1. - pose.x) * pose.length;
+    }
+
+    /** From where on inside the end it is switched off: hardly seen. */
+    template <typename Number>
+    Number
+    reach(const SectionPose<Number> &pose) const
+    {
+      using std::sqrt;
+      const double R = terms[0].flat_end.radius();
+      return 5. * sqrt(pose.square + R * R);
     }
 
     std::vector<Term> terms;

@@ -26,7 +26,7 @@ namespace Setae
    * section extends along the axis itself is the variance
    * @f[ \sigma^2 = \frac{\overline{x^2}}{m-3} + \beta e\,\overline Y, @f]
    * e being the square over depth of NearestPart. Its shape is taken to be that
-   * of one line, in slices of equal parts. Of one slice the transition is as
+   * of one line, in slices. Of one slice the transition is as
    * wide as fading and slice together, measured by their variances: the part is
    * exact to second order in sigma / b, always between zero and one, and has
    * two continuous derivatives.
@@ -93,15 +93,16 @@ namespace Setae
     }
 
   private:
-    static constexpr unsigned int n_slices = 5;
+    static constexpr unsigned int n_slices = 7;
     static constexpr double       n = 7.; ///< b^2 / n is the switch's variance
 
-    /** An equal part of a line's density, scaled to variance one. */
+    /** A part of a line's density, scaled to variance one. */
     struct Slice
     {
-      double mean = 0., variance = 0.;
+      double part = 0., mean = 0., variance = 0.;
     };
 
+    /** Thinner ones farther out. */
     std::array<Slice, n_slices>
     make_slices() const
     {
@@ -116,24 +117,24 @@ namespace Setae
           all += weight[k];
         }
 
-      std::array<Slice, n_slices>  result;
-      std::array<double, n_slices> parts = {};
-      double                       below = 0.;
+      std::array<Slice, n_slices> result;
+      double                      below = 0.;
+      unsigned int                i     = 0;
       for (unsigned int k = 0; k < n_points; ++k)
         {
-          const unsigned int i =
-            std::min<unsigned int>(n_slices * (below + .5 * weight[k]) / all,
-                                   n_slices - 1);
-          below += weight[k];
-          parts[i] += weight[k];
-          result[i].mean += weight[k] * u[k];
-          result[i].variance += weight[k] * u[k] * u[k];
+          below += weight[k] / all;
+          while (i + 1 < n_slices &&
+                 below > .5 * (1. - std::cos(M_PI * (i + 1) / n_slices)))
+            ++i;
+          result[i].part += weight[k] / all;
+          result[i].mean += weight[k] / all * u[k];
+          result[i].variance += weight[k] / all * u[k] * u[k];
         }
-      for (unsigned int i = 0; i < n_slices; ++i)
+      for (Slice &slice : result)
         {
-          result[i].mean /= parts[i];
-          result[i].variance =
-            result[i].variance / parts[i] - result[i].mean * result[i].mean;
+          slice.mean /= slice.part;
+          slice.variance =
+            slice.variance / slice.part - slice.mean * slice.mean;
         }
       return result;
     }
@@ -148,10 +149,10 @@ namespace Setae
       const Number sigma = sqrt(variance), b_square = b * b;
       Number       sum = 0.;
       for (const Slice &slice : slices)
-        sum += CutoffSwitch(-1., 1.).value(
-          Number((slice.mean * sigma - z) /
-                 sqrt(b_square + n * slice.variance * variance)));
-      return sum / double(n_slices);
+        sum += slice.part * CutoffSwitch(-1., 1.).value(Number(
+                              (slice.mean * sigma - z) /
+                              sqrt(b_square + n * slice.variance * variance)));
+      return sum;
     }
 
     double                      m, R1, R2;

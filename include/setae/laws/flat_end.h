@@ -75,6 +75,13 @@ namespace Setae
     Front<Number>
     front(const Pose<Number> &pose, const Number &H_side) const;
 
+    /** Of the target [length]. */
+    double
+    radius() const
+    {
+      return R2;
+    }
+
     /** The gap to the side of a disk that is @p distance from the axis. */
     template <typename Number>
     Number
