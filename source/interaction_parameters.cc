@@ -17,7 +17,7 @@ namespace Setae
   void
   InteractionParameters::add_parameters(ParameterHandler &prm)
   {
-    law = DiskCylinder::name;
+    law = TabulatedDiskCylinder::name;
     prm.add_parameter("law",
                       law,
                       "The reduced law. " + Laws::descriptions() + ".",
