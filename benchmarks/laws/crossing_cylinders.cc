@@ -48,7 +48,11 @@ namespace Setae
       std::vector<Method>
       methods(const PointPotential &potential, const double radius_2)
       {
-        const PeakRule      rule = PeakRule::fine();
+        // Where fibers cross at a right angle, the thinner one makes the gap
+        // grow: peak_width() takes both.
+        const double   thinner = std::min(1., radius_2);
+        const PeakRule rule    = PeakRule::fine(
+          radius_2 == 1. ? 1. : std::sqrt(.5 * (1. + radius_2) / thinner));
         std::vector<Method> result;
         for_each_law(potential,
                      sections_with(radius_2),

@@ -7,7 +7,7 @@ set terminal pngcairo size 1200,900 font 'sans,11'
 set output 'fiber_ends.png'
 set datafile separator ','
 set grid
-set key font ',9'
+set key bottom center maxrows 3 font ',9'
 rows(configuration, method) = sprintf( \
   "< grep '^%s,van der Waals,%s,' fiber_ends.csv | awk -F, '$5 == 0.1'", configuration, method)
 set multiplot layout 2,2 title 'Ends of fibers, van der Waals, g/R = 0.1'
@@ -19,7 +19,7 @@ array fields[4] = [10, 11, 10, 10]
 set logscale y
 set format y '10^{%T}'
 do for [c=1:4] {
-  set yrange [1e-5:1e2]
+  set yrange [1e-7:1e2]
   set title cases[c]
   set xlabel (c <= 2 ? 'shift / R, of fibers of 10 R' : 'overhang / R')
   set ylabel 'relative error, '.quantities[c]
