@@ -9,7 +9,6 @@
 #include <setae/laws/fading_fraction.h>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 #include <vector>
 
