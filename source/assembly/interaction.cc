@@ -381,8 +381,9 @@ namespace Setae
         const double         reach_square = kernel.reach() * kernel.reach();
         const BoundingBox<3> box          = bounding_box(cell.control_points());
 
-        bool   is_near = false;
-        double spacing = 0.;
+        const CellPlace place   = fibers.place_of_cell(target);
+        bool            is_near = false;
+        double          spacing = 0.;
         for (const LineSite &site : source_sites)
           {
             if (distance_square(box, site.r) >= reach_square)
@@ -409,7 +410,7 @@ namespace Setae
             if constexpr (is_projected<Law>)
               gap = kernel.add(site,
                                cell,
-                               fibers.place_of_cell(target),
+                               place,
                                factor * share * site.weight,
                                request,
                                local);
