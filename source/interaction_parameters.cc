@@ -87,14 +87,28 @@ namespace Setae
     prm.add_parameter("equilibrium gap",
                       equilibrium_gap,
                       "Instead of prefactors, for Lennard-Jones: the gap at "
-                      "which two parallel cylinders feel no force [length].",
+                      "which two infinite parallel fibers feel no force by the "
+                      "law of this interaction, without regularization and "
+                      "cutoff [length]. With 'force minimum' or 'hamaker "
+                      "constant'.",
                       non_negative());
     prm.add_parameter("force minimum",
                       force_minimum,
                       "Instead of prefactors, for Lennard-Jones: the most "
-                      "attractive force per length of two parallel cylinders "
-                      "[force/length], negative.",
+                      "attractive force per length of two infinite parallel "
+                      "fibers by the law of this interaction, without "
+                      "regularization and cutoff [force/length], negative.",
                       Patterns::Double(-infinity, 0.));
+    prm.add_parameter(
+      "hamaker constant",
+      hamaker_constant,
+      "Instead of a prefactor: A = -pi^2 rho_1 rho_2 k_6 of "
+      "the two materials [energy], the same for all pairs of "
+      "fibers of this interaction whatever their number "
+      "densities; positive attracts. Alone, with exponents = 6, "
+      "or with 'equilibrium gap', which then says how much the "
+      "fibers repel each other (exponents = 6, 12).",
+      Patterns::Double());
     prm.add_parameter("cutoff",
                       cutoff,
                       "The gap beyond which there is no interaction [length]; "

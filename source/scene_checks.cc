@@ -116,6 +116,78 @@ namespace Setae
               "0 for the law '" + interaction.law + "'");
     }
 
+    /** The prefactors, or what stands for them, see point_potential(). */
+    void
+    check_strength(const InteractionParameters &interaction)
+    {
+      const std::string path    = "interactions/" + interaction.name + "/";
+      const double      gap     = interaction.equilibrium_gap;
+      const double      force   = interaction.force_minimum;
+      const double      hamaker = interaction.hamaker_constant;
+      if (!interaction.prefactors.empty())
+        {
+          require(gap == 0. && force == 0. && hamaker == 0.,
+                  path + "prefactors",
+                  list(interaction.prefactors),
+                  "left out with 'equilibrium gap', 'force minimum' or "
+                  "'hamaker constant'");
+          require(interaction.prefactors.size() == interaction.exponents.size(),
+                  path + "prefactors",
+                  list(interaction.prefactors),
+                  "as many as there are exponents, " +
+                    std::to_string(interaction.exponents.size()));
+          return;
+        }
+      require(gap != 0. || force != 0. || hamaker != 0.,
+              path + "prefactors",
+              "",
+              "a list of numbers, or else empty and 'equilibrium gap' and "
+              "'force minimum', or 'hamaker constant', given");
+      require(force == 0. || hamaker == 0.,
+              path + "force minimum",
+              force,
+              "0 with 'hamaker constant', which already says how much fibers "
+              "attract each other");
+      if (hamaker == 0.)
+        {
+          require(gap > 0., path + "equilibrium gap", gap, "positive");
+          require(force < 0., path + "force minimum", force, "negative");
+        }
+      require(gap == 0. || force != 0. || hamaker > 0.,
+              path + "hamaker constant",
+              hamaker,
+              "positive, an attraction, with an equilibrium gap");
+      const std::vector<unsigned int> exponents =
+        gap > 0. ? std::vector<unsigned int>{6, 12} :
+                   std::vector<unsigned int>{6};
+      require(interaction.exponents == exponents,
+              path + "exponents",
+              list(interaction.exponents),
+              gap > 0. ? "6, 12 with an equilibrium gap" :
+                         "6 with 'hamaker constant' and no equilibrium gap");
+    }
+
+    /** A long-range law knows no gap at which parallel fibers touch. */
+    void
+    check_no_gap(const InteractionParameters &interaction)
+    {
+      const std::string path = "interactions/" + interaction.name + "/";
+      const std::string allowed =
+        "left out for the law '" + interaction.law + "'";
+      require(interaction.equilibrium_gap == 0.,
+              path + "equilibrium gap",
+              interaction.equilibrium_gap,
+              allowed);
+      require(interaction.force_minimum == 0.,
+              path + "force minimum",
+              interaction.force_minimum,
+              allowed);
+      require(interaction.hamaker_constant == 0.,
+              path + "hamaker constant",
+              interaction.hamaker_constant,
+              allowed);
+    }
+
     void
     check_potential(const InteractionParameters &interaction)
     {
@@ -124,35 +196,7 @@ namespace Setae
               path + "penalty",
               interaction.penalty,
               "0 but for the law '" + std::string(PenaltyContact::name) + "'");
-      const bool has_prefactors = !interaction.prefactors.empty();
-      const bool has_cylinder_data =
-        interaction.equilibrium_gap != 0. || interaction.force_minimum != 0.;
-      require(has_prefactors != has_cylinder_data,
-              path + "prefactors",
-              list(interaction.prefactors),
-              "a list of numbers, or else empty and 'equilibrium gap' and "
-              "'force minimum' given");
-      if (has_prefactors)
-        require(interaction.prefactors.size() == interaction.exponents.size(),
-                path + "prefactors",
-                list(interaction.prefactors),
-                "as many as there are exponents, " +
-                  std::to_string(interaction.exponents.size()));
-      else
-        {
-          require(interaction.equilibrium_gap > 0.,
-                  path + "equilibrium gap",
-                  interaction.equilibrium_gap,
-                  "positive");
-          require(interaction.force_minimum < 0.,
-                  path + "force minimum",
-                  interaction.force_minimum,
-                  "negative");
-          require(interaction.exponents == std::vector<unsigned int>({6, 12}),
-                  path + "exponents",
-                  list(interaction.exponents),
-                  "6, 12 with an equilibrium gap");
-        }
+      check_strength(interaction);
     }
 
     void
@@ -304,6 +348,8 @@ namespace Setae
         check_grading(interaction,
                       Law::depends_on != Invariants::gap_offset &&
                         !std::is_same_v<Law, PenaltyContact>);
+        if (Law::is_long_range || std::is_same_v<Law, PenaltyContact>)
+          check_no_gap(interaction);
         if constexpr (std::is_same_v<Law, PenaltyContact>)
           check_contact(interaction);
         else
@@ -367,14 +413,20 @@ namespace Setae
             "load stepping/end time",
             steps.end_time,
             "positive");
-    require(steps.smallest_step > 0.,
-            "load stepping/smallest step",
-            steps.smallest_step,
-            "positive");
     require(steps.first_step > 0.,
             "load stepping/first step",
             steps.first_step,
             "positive");
+    require(steps.smallest_step <= steps.first_step,
+            "load stepping/smallest step",
+            steps.smallest_step,
+            "at most the first step; how finely an instability is located is "
+            "'instability resolution'");
+    require(steps.instability_resolution > 0. &&
+              steps.instability_resolution >= steps.smallest_step,
+            "load stepping/instability resolution",
+            steps.instability_resolution,
+            "positive and at least the smallest step");
     require(steps.growth >= 1.,
             "load stepping/growth",
             steps.growth,

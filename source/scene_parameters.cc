@@ -112,7 +112,15 @@ namespace Setae
                       tangent,
                       "The change of the unit tangents from what they were "
                       "initially, x; y; z, each 'free' or a formula of t and "
-                      "of i, j, k.",
+                      "of i, j, k. All three prescribe the stretch of the "
+                      "fiber there, too, and must leave a vector of length 1.",
+                      Patterns::Anything());
+    prm.add_parameter("tangent direction",
+                      tangent_direction,
+                      "A clamp that leaves the stretch of the fiber free: "
+                      "'free', 'initial' for the direction that the tangent "
+                      "has initially, or in a static scene a vector x; y; z "
+                      "of any length as formulas of t and of i, j, k.",
                       Patterns::Anything());
   }
 
@@ -161,12 +169,23 @@ namespace Setae
     prm.add_parameter("largest step",
                       largest_step,
                       "The largest load step [time], a formula of t: small "
-                      "where a peak of the curve has to be resolved.",
+                      "where a peak of the curve has to be resolved. At no "
+                      "time below the smallest step.",
                       Patterns::Anything());
     prm.add_parameter("smallest step",
                       smallest_step,
-                      "A step that cannot be solved is repeated with smaller "
-                      "size down to this one [time].",
+                      "No step is shorter, whatever the iterations or the "
+                      "largest step ask for [time]; at most the first step. 0 "
+                      "takes 1e-6 of the end time, or the first step or the "
+                      "instability resolution if one of these is smaller.",
+                      non_negative());
+    prm.add_parameter("instability resolution",
+                      instability_resolution,
+                      "How finely the end of a branch of equilibria is located "
+                      "[time]: a step that cannot be solved is repeated with "
+                      "smaller size down to this one; a step of at most this "
+                      "size that fails has met an instability. At least the "
+                      "smallest step.",
                       non_negative());
     prm.add_parameter("growth",
                       growth,
@@ -177,11 +196,12 @@ namespace Setae
                       "A step that takes more iterations than this one is "
                       "followed by a smaller one.",
                       positive_integer());
-    prm.add_parameter("pass instabilities",
-                      pass_instabilities,
-                      "Where no equilibrium is found with the smallest step, "
-                      "follow the overdamped motion to the next stable state "
-                      "instead of stopping.");
+    prm.add_parameter(
+      "pass instabilities",
+      pass_instabilities,
+      "Where no equilibrium is found within the instability "
+      "resolution, follow the overdamped motion to the next stable state "
+      "instead of stopping.");
   }
 
 

@@ -336,8 +336,9 @@ namespace Setae
 
       const std::string path = "interactions/adhesion/";
 
-      const Overrides to_pull_off = {"load stepping/end time=0.6",
-                                     "load stepping/smallest step=2e-5"};
+      const Overrides to_pull_off = {
+        "load stepping/end time=0.6",
+        "load stepping/instability resolution=2e-5"};
 
       // To compare the moments: 2432 points per length, and steps that do not
       // depend on the number of iterations, so that the curves have points in

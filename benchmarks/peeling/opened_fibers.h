@@ -70,7 +70,7 @@ end
                          "interactions/adhesion/integration segments=" +
                            std::to_string(n_points / n_cells),
                          "load stepping/first step=0.25",
-                         "load stepping/smallest step=1e-4",
+                         "load stepping/instability resolution=1e-4",
                          end_time.str(),
                          // One step ends at u_x/l = 0.57, to compare there.
                          "load stepping/largest step=if(t < 1, 0.25, "

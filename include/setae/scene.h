@@ -44,10 +44,11 @@ namespace Setae
   struct SupportParameters
   {
     std::string              name;
-    std::vector<std::string> fibers       = {"all"};
-    std::vector<std::string> at           = {"start"};
-    std::string              displacement = "free; free; free";
-    std::string              tangent      = "free; free; free";
+    std::vector<std::string> fibers            = {"all"};
+    std::vector<std::string> at                = {"start"};
+    std::string              displacement      = "free; free; free";
+    std::string              tangent           = "free; free; free";
+    std::string              tangent_direction = "free";
 
     void
     add_parameters(dealii::ParameterHandler &prm);
@@ -88,6 +89,7 @@ namespace Setae
     double                    penalty               = 0.;
     double                    equilibrium_gap       = 0.;
     double                    force_minimum         = 0.;
+    double                    hamaker_constant      = 0.;
     double                    cutoff                = 0.;
     double                    switch_width          = .1;
     std::string               cutoff_of             = "energy";
@@ -112,13 +114,14 @@ namespace Setae
   /** How the load is applied. */
   struct LoadSteppingParameters
   {
-    double       end_time            = 1.;
-    double       first_step          = .1;
-    std::string  largest_step        = "1";
-    double       smallest_step       = 1e-4;
-    double       growth              = 4.;
-    unsigned int target_n_iterations = 20;
-    bool         pass_instabilities  = true;
+    double       end_time               = 1.;
+    double       first_step             = .1;
+    std::string  largest_step           = "1";
+    double       smallest_step          = 0.;
+    double       instability_resolution = 1e-4;
+    double       growth                 = 4.;
+    unsigned int target_n_iterations    = 20;
+    bool         pass_instabilities     = true;
 
     void
     add_parameters(dealii::ParameterHandler &prm);

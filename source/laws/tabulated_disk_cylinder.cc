@@ -5,6 +5,8 @@
 #include <setae/laws/tabulated_disk_cylinder.h>
 
 #include <algorithm>
+#include <map>
+#include <tuple>
 
 namespace Setae
 {
@@ -68,20 +70,30 @@ namespace Setae
     const unsigned int depth   = std::ceil(n_depth * refinement);
     const unsigned int lateral = std::ceil(n_lateral * refinement);
     for (const InversePower &power : potential)
-      terms.push_back(
-        {{ContactPowers({power}, sections), H_regularization},
-         {{{n_distance, n_angle, n_angle}}, tabulate(power, depth, lateral)}});
+      {
+        // A table knows no prefactor: several laws of a scene, or the search
+        // for the prefactors of one, ask for the same one.
+        using Key = std::tuple<unsigned int, double, double, double>;
+        static std::map<Key, SplineTable> tables;
+        const Key key(power.exponent, R1, R2, accuracy.tolerance);
+        if (tables.count(key) == 0)
+          tables.emplace(key,
+                         SplineTable({{n_distance, n_angle, n_angle}},
+                                     tabulate(power.exponent, depth, lateral)));
+        terms.push_back({{ContactPowers({power}, sections), H_regularization},
+                         tables.at(key)});
+      }
   }
 
 
 
   std::vector<double>
-  TabulatedDiskCylinder::tabulate(const InversePower &power,
-                                  const unsigned int  n_depth,
-                                  const unsigned int  n_lateral) const
+  TabulatedDiskCylinder::tabulate(const unsigned int exponent,
+                                  const unsigned int n_depth,
+                                  const unsigned int n_lateral) const
   {
-    const SectionIntegral integral(power.exponent, R1, R2, n_depth, n_lateral);
-    const ContactPowers   powers({{power.exponent, 1.}}, {R1, R2, 1., 1.});
+    const SectionIntegral integral(exponent, R1, R2, n_depth, n_lateral);
+    const ContactPowers   powers({{exponent, 1.}}, {R1, R2, 1., 1.});
 
     const unsigned int  n_plane = (n_angle + 1) * (n_angle + 1);
     std::vector<double> values((n_distance + 1) * n_plane);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <sstream>
 
 namespace Setae
 {
@@ -16,12 +17,36 @@ namespace Setae
                    parameters.largest_step,
                    "t",
                    constants)
+    , smallest_step(parameters.smallest_step > 0. ?
+                      parameters.smallest_step :
+                      std::min({1e-6 * parameters.end_time,
+                                parameters.first_step,
+                                parameters.instability_resolution}))
     , size(parameters.first_step)
   {
-    AssertThrow(largest_step(0.) > 0.,
-                ExcParameter("load stepping/largest step",
-                             parameters.largest_step,
-                             "positive"));
+    largest_step_now();
+  }
+
+
+
+  double
+  LoadStepping::largest_step_now() const
+  {
+    const double value = largest_step(current_time);
+    if (value < smallest_step)
+      {
+        std::ostringstream allowed;
+        allowed << (value > 0. ? "at least the smallest step " : "positive");
+        if (value > 0.)
+          allowed << smallest_step;
+        allowed << " at every time, but is " << value
+                << " at t = " << current_time;
+        AssertThrow(false,
+                    ExcParameter("load stepping/largest step",
+                                 parameters.largest_step,
+                                 allowed.str()));
+      }
+    return value;
   }
 
 
@@ -29,7 +54,7 @@ namespace Setae
   double
   LoadStepping::next_time() const
   {
-    const double step = std::min(size, largest_step(current_time));
+    const double step = std::min(size, largest_step_now());
     const double left = parameters.end_time - current_time;
 
     // No tiny last step: the remainder is taken at once or in two halves.
@@ -57,7 +82,8 @@ namespace Setae
       failed_time = std::numeric_limits<double>::infinity();
     size = std::min(size,
                     std::max(.5 * (failed_time - current_time),
-                             parameters.smallest_step));
+                             parameters.instability_resolution));
+    size = std::max(size, smallest_step);
   }
 
 
@@ -67,10 +93,10 @@ namespace Setae
   {
     constexpr double reduction = .25;
 
-    if (step_size() <= parameters.smallest_step * (1. + 1e-10))
+    if (step_size() <= parameters.instability_resolution * (1. + 1e-10))
       return false;
     failed_time = next_time();
-    size        = std::max(reduction * step_size(), parameters.smallest_step);
+    size = std::max(reduction * step_size(), parameters.instability_resolution);
     return true;
   }
 

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 The Setae authors
 
 #include <setae/laws/all.h>
+#include <setae/laws/parallel_fibers.h>
 #include <setae/verification/calibration.h>
 #include <setae/verification/cylinders.h>
 
@@ -82,8 +83,7 @@ namespace Setae
 
 
 
-      /** A law of the gap: along one of two parallel lines, over all pairs of
-       * points of two crossing ones. */
+      /** A law of the gap, over all pairs of points of two crossing lines. */
       template <typename Law>
       EnergyAndForce
       over_both_fibers(const Law            &law,
@@ -93,9 +93,8 @@ namespace Setae
         const Connection connection(fibers.sections, gap);
         const double     sine = std::sin(fibers.angle);
         return connection.integrate([&](const double lateral) {
-          const double weight =
-            fibers.angle == 0. ? 2. : 2. * pi * lateral / sine;
-          const GapDerivatives p = law(connection.gap(lateral));
+          const double         weight = 2. * pi * lateral / sine;
+          const GapDerivatives p      = law(connection.gap(lateral));
           return GapDerivatives{weight * p.value,
                                 weight * p.first * connection.cosine(lateral),
                                 0.};
@@ -104,25 +103,9 @@ namespace Setae
 
 
 
-      /** A law of offset and gap, along one of two parallel lines. */
-      template <typename Law>
-      EnergyAndForce
-      over_offsets(const Law            &law,
-                   const StraightFibers &fibers,
-                   const double          gap)
-      {
-        return Connection(fibers.sections, gap)
-          .integrate([&](const double offset) {
-            const OffsetGapDerivatives p = law(offset, gap);
-            return GapDerivatives{2. * p.value, 2. * p.g, 0.};
-          });
-      }
-
-
-
       /**
-       * A law of gap and angle, and tilt if it knows it: a value, or along the
-       * source that crosses.
+       * A law of gap and angle, and tilt if it knows it, along the source that
+       * crosses.
        */
       template <typename Law>
       EnergyAndForce
@@ -155,8 +138,6 @@ namespace Setae
                                     0.};
             }
         };
-        if (fibers.angle == 0.)
-          return {{there(0.).value, 0.}, {-there(0.).first, 0.}};
         return connection.integrate([&](const double lateral) {
           const GapDerivatives p = there(lateral);
           return GapDerivatives{2. / sine * p.value, 2. / sine * p.first, 0.};
@@ -192,15 +173,23 @@ namespace Setae
         using Law = typename decltype(tag)::type;
         const Law of_power =
           make_law<Law>({power}, fibers.sections, GapRange());
-        if constexpr (Law::depends_on == Invariants::gap)
+        if (fibers.angle == 0.)
+          {
+            const SectionPair   &sections = fibers.sections;
+            const ParallelFibers parallel =
+              parallel_fibers(of_power,
+                              sections.radius_1 + sections.radius_2,
+                              gap);
+            result = {{parallel.energy, 0.}, {parallel.force, 0.}};
+          }
+        else if constexpr (Law::depends_on == Invariants::gap)
           result = over_both_fibers(of_power, fibers, gap);
         else if constexpr (Law::depends_on == Invariants::gap_offset)
           {
-            AssertThrow(fibers.angle == 0.,
+            AssertThrow(false,
                         ExcInput("The law '" + law +
                                  "' can be calibrated for parallel fibers "
                                  "only."));
-            result = over_offsets(of_power, fibers, gap);
           }
         else
           result = over_source(of_power, fibers, gap);

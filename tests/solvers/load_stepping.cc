@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 The Setae authors
 
-#include <setae/solvers/load_stepping.h>
-
 #include <gtest/gtest.h>
+
+#include <setae/solvers/load_stepping.h>
 
 using namespace Setae;
 
@@ -13,8 +13,8 @@ namespace
   parameters()
   {
     LoadSteppingParameters result;
-    result.first_step    = .1;
-    result.smallest_step = 1e-3;
+    result.first_step             = .1;
+    result.instability_resolution = 1e-3;
     return result;
   }
 } // namespace

@@ -17,7 +17,11 @@ namespace Setae
                const FiberParameters       &source,
                const FiberParameters       &target);
 
-  /** The potential of two points of fibers with these sections. */
+  /**
+   * The potential of two points of fibers with these sections: as the scene
+   * gives it, or such that parallel fibers feel by the law of the scene what it
+   * says of them.
+   */
   PointPotential
   point_potential(const InteractionParameters &parameters,
                   const SectionPair           &sections);

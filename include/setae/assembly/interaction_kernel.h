@@ -122,13 +122,13 @@ namespace Setae
     template <typename Law>
     SectionBeam<Law>
     make_finite(const InteractionParameters &parameters,
+                const PointPotential        &potential,
                 const SectionPair           &sections,
                 const Law                   &law,
                 const bool                   fades)
     {
-      const double         radii     = sections.radius_1 + sections.radius_2;
-      const GapRange       range     = gap_range(parameters);
-      const PointPotential potential = point_potential(parameters, sections);
+      const double   radii = sections.radius_1 + sections.radius_2;
+      const GapRange range = gap_range(parameters);
       const auto laws = laws_of_powers(parameters, potential, sections, law);
       std::vector<typename TargetEnd<Law>::Term>   ends;
       std::vector<typename FadedTarget<Law>::Term> faded;
@@ -178,10 +178,15 @@ namespace Setae
 
 
 
-  /** The law that @p parameters ask for between two sections. */
+  /**
+   * The law that @p parameters ask for between two sections.
+   *
+   * @param potential From point_potential(); none for contact.
+   */
   template <typename Law>
   Law
   make_law_between(const InteractionParameters &parameters,
+                   const PointPotential        &potential,
                    const SectionPair           &sections)
   {
     if constexpr (std::is_same_v<Law, PenaltyContact>)
@@ -191,7 +196,7 @@ namespace Setae
         GapRange range = internal::gap_range(parameters);
         if (parameters.cutoff_of == "forces")
           range.cutoff_begin = range.cutoff = GapRange().cutoff;
-        return make_law<Law>(point_potential(parameters, sections),
+        return make_law<Law>(potential,
                              sections,
                              range,
                              internal::law_accuracy(parameters));
@@ -203,6 +208,7 @@ namespace Setae
   /**
    * The kernel that @p parameters ask for between two sections.
    *
+   * @param potential From point_potential(); none for contact.
    * @param law From make_law_between().
    * @param source_is_zone Whether the sites of the source are those of its
    * EndZone, before targets that do not fade.
@@ -210,6 +216,7 @@ namespace Setae
   template <typename Law>
   Kernel<Law>
   make_kernel(const InteractionParameters &parameters,
+              const PointPotential        &potential,
               const SectionPair           &sections,
               const Law                   &law,
               const bool                   source_is_zone = false)
@@ -231,10 +238,9 @@ namespace Setae
       {
         if constexpr (is_projected<Law> && !std::is_same_v<Law, PenaltyContact>)
           if (has_finite_targets<Law>(parameters))
-            return internal::make_finite(parameters,
-                                         sections,
-                                         law,
-                                         !source_is_zone);
+            return internal::make_finite(
+              parameters, potential, sections, law, !source_is_zone);
+        (void)potential;
         return {law, radii};
       }
   }

@@ -83,10 +83,9 @@ namespace Setae
                                                 fibers.scene.fibers[source],
                                                 fibers.scene.fibers[target]);
       check_equal(parameters, sections);
-      const Kernel<Law> kernel = make_kernel(parameters,
-                                             sections,
-                                             law_between(parameters, sections),
-                                             source_is_zone);
+      const PotentialAndLaw &pair   = law_between(parameters, sections);
+      const Kernel<Law>      kernel = make_kernel(
+        parameters, pair.potential, sections, pair.law, source_is_zone);
       kernels.emplace(std::make_tuple(source, target, source_is_zone), kernel);
       largest_reach = std::max(largest_reach, kernel.reach());
       for (const double radius : {sections.radius_1, sections.radius_2})
@@ -96,8 +95,14 @@ namespace Setae
         }
     }
 
-    /** No table is made twice. */
-    const Law &
+    struct PotentialAndLaw
+    {
+      PointPotential potential; ///< none for contact
+      Law            law;
+    };
+
+    /** No potential is looked for and no table is made twice. */
+    const PotentialAndLaw &
     law_between(const InteractionParameters &parameters,
                 const SectionPair           &sections)
     {
@@ -108,7 +113,14 @@ namespace Setae
       const auto                  law = laws.find(key);
       if (law != laws.end())
         return law->second;
-      return laws.emplace(key, make_law_between<Law>(parameters, sections))
+      const PointPotential potential = std::is_same_v<Law, PenaltyContact> ?
+                                         PointPotential() :
+                                         point_potential(parameters, sections);
+      return laws
+        .emplace(key,
+                 PotentialAndLaw{
+                   potential,
+                   make_law_between<Law>(parameters, potential, sections)})
         .first->second;
     }
 
@@ -116,18 +128,22 @@ namespace Setae
     check_equal(const InteractionParameters &parameters,
                 const SectionPair           &sections)
     {
-      AssertThrow(parameters.force_minimum == 0. ||
-                    (sections.radius_1 == sections.radius_2 &&
-                     sections.density_1 == sections.density_2),
-                  ExcParameter("interactions/" + parameters.name +
-                                 "/force minimum",
-                               std::to_string(parameters.force_minimum),
-                               "replaced by 'prefactors' for fibers that "
-                               "differ in radius or number density"));
+      require(parameters.equilibrium_gap == 0. ||
+                (sections.radius_1 == sections.radius_2 &&
+                 sections.density_1 == sections.density_2),
+              "interactions/" + parameters.name + "/equilibrium gap",
+              parameters.equilibrium_gap,
+              "left out, with 'prefactors' given instead, for fibers that "
+              "differ in radius or number density");
+      require(parameters.hamaker_constant == 0. ||
+                (sections.density_1 > 0. && sections.density_2 > 0.),
+              "interactions/" + parameters.name + "/hamaker constant",
+              parameters.hamaker_constant,
+              "left out for fibers without a number density");
     }
 
     const FiberSystem                                                  &fibers;
-    std::map<std::array<double, 4>, Law>                                laws;
+    std::map<std::array<double, 4>, PotentialAndLaw>                    laws;
     std::map<std::tuple<unsigned int, unsigned int, bool>, Kernel<Law>> kernels;
   };
 } // namespace Setae

@@ -91,9 +91,9 @@ namespace Setae
 
     /** The logarithm of the correction at all nodes of the table. */
     std::vector<double>
-    tabulate(const InversePower &power,
-             const unsigned int  n_depth,
-             const unsigned int  n_lateral) const;
+    tabulate(const unsigned int exponent,
+             const unsigned int n_depth,
+             const unsigned int n_lateral) const;
 
     /** Held constant in the first and in the last cell. */
     template <typename Number>

@@ -13,7 +13,9 @@ namespace Setae
 {
   /**
    * Chooses the size of the load steps from the number of iterations that they
-   * take: halved or less after a failure, grown again after success.
+   * take: halved or less after a failure, grown again after success. A place
+   * that cannot be passed is located by bisection down to the instability
+   * resolution; no size is below the smallest step.
    */
   class LoadStepping
   {
@@ -28,7 +30,12 @@ namespace Setae
       return current_time;
     }
 
-    /** The time to solve for next. */
+    /**
+     * The time to solve for next.
+     *
+     * @throws ExcParameter if the formula of the largest step allows less than
+     * the smallest one now.
+     */
     double
     next_time() const;
 
@@ -52,7 +59,7 @@ namespace Setae
     /**
      * The step could not be solved: the next one will be smaller.
      *
-     * @return False if it has the smallest size already.
+     * @return False if it locates the place well enough already.
      */
     bool
     reject();
@@ -62,8 +69,13 @@ namespace Setae
     restart();
 
   private:
+    /** The value of the formula now, checked. */
+    double
+    largest_step_now() const;
+
     LoadSteppingParameters parameters;
     Expression             largest_step;
+    double                 smallest_step;
     double                 current_time = 0.;
     double failed_time = std::numeric_limits<double>::infinity();
     double size;
