@@ -78,7 +78,8 @@ namespace Setae
   void
   FiberEquations::find_pairs(const State &state)
   {
-    bool changed = system.tangent_matrix.m() == 0;
+    bool changed =
+      supports.move_to(state.time) || system.tangent_matrix.m() == 0;
     for (const auto &term : terms)
       if (term->has_search())
         {
@@ -147,6 +148,13 @@ namespace Setae
                     nullptr,
                     evaluation);
     judge(evaluation);
+    if (increment_at_rest && !supports.tangents_point_forward(everywhere))
+      {
+        evaluation.is_valid      = false;
+        evaluation.is_admissible = false;
+        evaluation.reason =
+          "a tangent points against the 'tangent direction' of its support";
+      }
     return evaluation;
   }
 
@@ -194,7 +202,7 @@ namespace Setae
       evaluation.energy += energy;
 
     Vector free_residual(system.residual);
-    supports.at_rest().set_zero(free_residual);
+    supports.project_force(free_residual);
     evaluation.residual_norm = free_residual.l2_norm();
 
     // Stiffness times the round-off of a coordinate.
@@ -259,7 +267,7 @@ namespace Setae
           }
         const auto of_free = [this](const Vector &x, Vector &product) {
           Vector free(x);
-          supports.at_rest().set_zero(free);
+          supports.project_motion(free);
           tangent_product(free, product);
         };
         if (!solver.solve(system.tangent_matrix, of_free, reduced, result))
@@ -285,7 +293,7 @@ namespace Setae
       if (term->has_tangent_product())
         term->add_tangent_product(direction, product);
     product.compress(VectorOperation::add);
-    supports.at_rest().set_zero(product);
+    supports.project_force(product);
   }
 
 
@@ -302,18 +310,19 @@ namespace Setae
   FiberEquations::add_damping(const Vector &coefficients, const Vector &motion)
   {
     auto  &matrix = system.tangent_matrix;
-    Vector force(motion);
+    Vector force(motion), diagonal(coefficients);
     force.scale(coefficients);
+    supports.project_diagonal(diagonal);
     for (const auto i : fibers.owned_dofs)
-      matrix.set(i, i, matrix.diag_element(i) + coefficients(i));
+      matrix.set(i, i, matrix.diag_element(i) + diagonal(i));
     matrix.compress(VectorOperation::insert);
 
     Vector free_force(force);
-    supports.at_rest().set_zero(free_force);
+    supports.project_force(free_force);
     system.right_hand_side -= free_force;
 
     free_force += system.residual;
-    supports.at_rest().set_zero(free_force);
+    supports.project_force(free_force);
     return free_force.l2_norm();
   }
 

@@ -34,11 +34,11 @@ namespace Setae
   {
     system.residual += force;
     Vector free_force(force);
-    supports.at_rest().set_zero(free_force);
+    supports.project_force(free_force);
     system.right_hand_side -= free_force;
 
     Vector free_residual(system.residual);
-    supports.at_rest().set_zero(free_residual);
+    supports.project_force(free_residual);
     return free_residual.l2_norm();
   }
 
@@ -61,7 +61,10 @@ namespace Setae
         }
     for (Vector *vector :
          {&motion.displacement, &motion.velocity, &motion.acceleration})
-      vector->compress(VectorOperation::insert);
+      {
+        vector->compress(VectorOperation::insert);
+        supports.follow(*vector);
+      }
   }
 
 
@@ -95,6 +98,22 @@ namespace Setae
 
 
 
+  void
+  FiberEquations::project_force(Vector &force) const
+  {
+    supports.project_force(force);
+  }
+
+
+
+  void
+  FiberEquations::project_motion(Vector &motion) const
+  {
+    supports.project_motion(motion);
+  }
+
+
+
   Motion
   FiberEquations::initial_motion()
   {
@@ -107,7 +126,7 @@ namespace Setae
     evaluate_motion(motion.displacement, rate, 0., 0., Request::residual);
     Vector force(system.residual);
     force *= -1.;
-    set_supports_to_zero(force);
+    project_force(force);
 
     // The matrix is that of the mass alone.
     has_product = false;
@@ -144,7 +163,7 @@ namespace Setae
   FiberEquations::support_power(const Motion &motion)
   {
     Vector reactions(system.residual), free(system.residual);
-    set_supports_to_zero(free);
+    project_force(free);
     reactions -= free;
     return reactions * motion.velocity;
   }

@@ -75,6 +75,12 @@ namespace Setae
     void
     set_supports_to_zero(Vector &vector) const override;
 
+    void
+    project_force(Vector &force) const override;
+
+    void
+    project_motion(Vector &motion) const override;
+
     Motion
     initial_motion() override;
 

@@ -9,7 +9,8 @@
 #include <setae/base/exceptions.h>
 
 #include <algorithm>
-#include <set>
+#include <cmath>
+#include <sstream>
 
 namespace Setae
 {
@@ -62,13 +63,40 @@ namespace Setae
   {
     for (unsigned int i = 0; i < fibers.scene.supports.size(); ++i)
       add_support(i);
+    check_directions();
     hold_rigid_fibers();
     if (!fibers.scene.dynamics.is_on())
       check_every_fiber();
+    check_tangents(0.);
+    make_constraints();
+  }
 
+
+
+  void
+  Supports::make_constraints()
+  {
+    homogeneous.clear();
     for (const auto &[dof, entry] : prescribed)
       homogeneous.add_line(dof);
+    for (const TangentDirections::Follower &follower : directions.followers())
+      {
+        homogeneous.add_line(follower.dof);
+        if (follower.ratio != 0.)
+          homogeneous.add_entry(follower.dof, follower.leader, follower.ratio);
+      }
     homogeneous.close();
+  }
+
+
+
+  bool
+  Supports::move_to(const double time)
+  {
+    const bool new_pattern = directions.move_to(time);
+    if (directions.turn())
+      make_constraints();
+    return new_pattern;
   }
 
 
@@ -112,12 +140,15 @@ namespace Setae
         const Fiber &fiber = fibers.fibers[f];
         const auto   displacement =
           parse("displacement", support.displacement, fiber.copy);
-        const auto tangent = parse("tangent", support.tangent, fiber.copy);
+        const auto tangent   = parse("tangent", support.tangent, fiber.copy);
+        const auto direction = parse_direction(index, fiber);
         for (const std::string &place : support.at)
           for (const unsigned int node : nodes_at(fiber, place, path + "at"))
             {
               prescribe_node(index, f, node, false, displacement);
               prescribe_node(index, f, node, true, tangent);
+              if (support.tangent_direction != "free")
+                direct_node(index, f, node, direction);
             }
       }
   }
@@ -147,6 +178,153 @@ namespace Setae
                                  "free where the support '" +
                                    supports[prescribed[dof].support].name +
                                    "' holds the same component"));
+      }
+
+    if (tangent && std::any_of(values.begin(), values.end(), [](const auto *v) {
+          return v != nullptr;
+        }))
+      {
+        PrescribedTangent &added = prescribed_tangents.emplace_back();
+        added.support            = support;
+        added.initial            = fibers.initial_tangent(fiber, node);
+        added.changes            = values;
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            const bool is_active = fibers.node_dof(fiber, node, true, c) !=
+                                   numbers::invalid_dof_index;
+            added.is_free[c] = is_active && values[c] == nullptr;
+            if (!is_active)
+              added.changes[c] = nullptr;
+          }
+      }
+  }
+
+
+
+  std::shared_ptr<const VectorExpression>
+  Supports::parse_direction(const unsigned int index, const Fiber &fiber) const
+  {
+    const SupportParameters &support = fibers.scene.supports[index];
+    const std::string       &text    = support.tangent_direction;
+    const std::string        parameter =
+      "supports/" + support.name + "/tangent direction";
+    if (text == "free" || text == "initial")
+      return nullptr;
+    require(!fibers.scene.dynamics.is_on(),
+            parameter,
+            text,
+            "'free' or 'initial' in a scene with dynamics");
+    Constants constants = fibers.scene.constants;
+    constants.insert(fiber.copy.begin(), fiber.copy.end());
+    return std::make_shared<VectorExpression>(parameter, text, "t", constants);
+  }
+
+
+
+  void
+  Supports::direct_node(
+    const unsigned int                             support,
+    const unsigned int                             fiber,
+    const unsigned int                             node,
+    const std::shared_ptr<const VectorExpression> &direction)
+  {
+    const SupportParameters &parameters = fibers.scene.supports[support];
+    TangentDirections::Node  added;
+    added.parameter = "supports/" + parameters.name + "/tangent direction";
+    added.text      = parameters.tangent_direction;
+    if (fibers.is_rigid(fibers.fibers[fiber].first_cell))
+      {
+        require(direction == nullptr,
+                added.parameter,
+                added.text,
+                "'free' or 'initial' for the rigid fiber '" +
+                  fibers.fibers[fiber].name + "'");
+        return;
+      }
+    added.initial   = fibers.initial_tangent(fiber, node);
+    added.direction = direction;
+    bool is_new     = true;
+    for (unsigned int c = 0; c < 3; ++c)
+      {
+        added.dofs[c] = fibers.node_dof(fiber, node, true, c);
+        if (added.dofs[c] == numbers::invalid_dof_index)
+          continue;
+        is_new = directed.insert({added.dofs[c], support}).second && is_new;
+        const unsigned int other = directed[added.dofs[c]];
+        require(other == support,
+                added.parameter,
+                added.text,
+                "'free' where the support '" +
+                  fibers.scene.supports[other].name +
+                  "' gives the direction of the same tangent");
+      }
+    if (is_new)
+      directions.add(added);
+  }
+
+
+
+  void
+  Supports::check_directions() const
+  {
+    const auto &supports = fibers.scene.supports;
+    for (const auto &[dof, support] : directed)
+      {
+        const auto held = prescribed.find(dof);
+        require(held == prescribed.end(),
+                "supports/" + supports[support].name + "/tangent direction",
+                supports[support].tangent_direction,
+                held == prescribed.end() ?
+                  "" :
+                  "'free' where the support '" +
+                    supports[held->second.support].name +
+                    "' holds a component of the tangent");
+      }
+  }
+
+
+
+  void
+  Supports::check_tangents(const double time) const
+  {
+    // What formulas with numbers of a few digits and numerical derivatives of
+    // the centerline leave.
+    constexpr double round_off = 1e-6;
+
+    std::map<const Expression *, double> values;
+    for (const PrescribedTangent &tangent : prescribed_tangents)
+      {
+        double square  = 0.;
+        bool   is_free = false;
+        for (unsigned int c = 0; c < 3; ++c)
+          if (tangent.is_free[c])
+            is_free = true;
+          else
+            {
+              double                  component = tangent.initial[c];
+              const Expression *const change    = tangent.changes[c];
+              if (change != nullptr)
+                {
+                  if (values.count(change) == 0)
+                    values[change] = (*change)(time);
+                  component += values[change];
+                }
+              square += component * component;
+            }
+        const double length = std::sqrt(square);
+        if (length <= 1. + round_off && (is_free || length >= 1. - round_off))
+          continue;
+        const SupportParameters &support =
+          fibers.scene.supports[tangent.support];
+        std::ostringstream allowed;
+        allowed << "such that the tangent keeps the length 1, but "
+                << (is_free ? "the components that are given have" : "it has")
+                << " the length " << length << " at t = " << time
+                << "; 'tangent direction' leaves the stretch free";
+        AssertThrow(false,
+                    ExcParameter("supports/" + support.name + "/tangent",
+                                 support.tangent,
+                                 allowed.str()));
       }
   }
 
@@ -197,11 +375,26 @@ namespace Setae
   Supports::increment_to(const double                         time,
                          const TrilinosWrappers::MPI::Vector &solution) const
   {
+    check_tangents(time);
     AffineConstraints<double> constraints;
     for (const auto &[dof, entry] : prescribed)
       {
         constraints.add_line(dof);
         constraints.set_inhomogeneity(dof, (*entry.value)(time)-solution(dof));
+      }
+    for (const TangentDirections::Follower &follower : directions.followers())
+      {
+        constraints.add_line(follower.dof);
+        double target = follower.offset;
+        if (follower.ratio != 0.)
+          {
+            constraints.add_entry(follower.dof,
+                                  follower.leader,
+                                  follower.ratio);
+            target += follower.ratio * solution(follower.leader);
+          }
+        constraints.set_inhomogeneity(follower.dof,
+                                      target - solution(follower.dof));
       }
     constraints.close();
     return constraints;
@@ -209,9 +402,61 @@ namespace Setae
 
 
 
+  void
+  Supports::project_force(TrilinosWrappers::MPI::Vector &force) const
+  {
+    for (const TangentDirections::Follower &follower : directions.followers())
+      if (follower.ratio != 0. && fibers.owned_dofs.is_element(follower.dof))
+        force(follower.leader) =
+          force(follower.leader) + follower.ratio * force(follower.dof);
+    homogeneous.set_zero(force);
+  }
+
+
+
+  void
+  Supports::project_diagonal(TrilinosWrappers::MPI::Vector &diagonal) const
+  {
+    if (directions.followers().empty())
+      return;
+    for (const TangentDirections::Follower &follower : directions.followers())
+      if (follower.ratio != 0. && fibers.owned_dofs.is_element(follower.dof))
+        diagonal(follower.leader) =
+          diagonal(follower.leader) +
+          follower.ratio * follower.ratio * diagonal(follower.dof);
+    diagonal.compress(VectorOperation::insert);
+  }
+
+
+
+  void
+  Supports::project_motion(TrilinosWrappers::MPI::Vector &motion) const
+  {
+    homogeneous.set_zero(motion);
+    follow(motion);
+  }
+
+
+
+  void
+  Supports::follow(TrilinosWrappers::MPI::Vector &motion) const
+  {
+    if (directions.followers().empty())
+      return;
+    for (const TangentDirections::Follower &follower : directions.followers())
+      if (fibers.owned_dofs.is_element(follower.dof))
+        motion(follower.dof) =
+          follower.ratio == 0. ? 0. : follower.ratio * motion(follower.leader);
+    motion.compress(VectorOperation::insert);
+  }
+
+
+
   std::map<types::global_dof_index, std::array<double, 3>>
   Supports::motion_at(const double time, const double spacing) const
   {
+    check_tangents(time);
+
     // Many degrees of freedom share a formula.
     std::map<const Expression *, std::array<double, 3>>      motions;
     std::map<types::global_dof_index, std::array<double, 3>> result;

@@ -228,6 +228,18 @@ namespace Setae
 
 
 
+  Tensor<1, 3>
+  FiberSystem::initial_tangent(const unsigned int fiber,
+                               const unsigned int node) const
+  {
+    const Fiber &f       = fibers[fiber];
+    const bool   is_left = node < f.n_cells;
+    return initial[f.first_cell + (is_left ? node : node - 1)]
+      .coefficients[is_left ? 1 : 3];
+  }
+
+
+
   std::pair<unsigned int, double>
   FiberSystem::locate(const unsigned int fiber, const double s) const
   {

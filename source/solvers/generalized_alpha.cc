@@ -132,9 +132,9 @@ namespace Setae
                                   end.external_work)) -
           mean_force * taken;
 
-        system.set_supports_to_zero(taken);
+        system.project_motion(taken);
         Vector force = system.times_mass(taken);
-        system.set_supports_to_zero(force);
+        system.project_force(force);
         const double twice_kinetic_energy = force * taken / (h * h);
         const double part                 = twice_kinetic_energy > 0. ?
                                               std::clamp(.5 * missing / twice_kinetic_energy,
@@ -354,9 +354,9 @@ namespace Setae
     truncation -= last.acceleration;
     truncation *= coefficients.error_constant() * step_size * step_size *
                   (acceleration_factor() + damping * velocity_factor());
-    system.set_supports_to_zero(truncation);
+    system.project_motion(truncation);
     Vector force = system.times_mass(truncation);
-    system.set_supports_to_zero(force);
+    system.project_force(force);
     Vector filtered(force);
     if (!system.solve(force, filtered))
       return std::numeric_limits<double>::infinity();

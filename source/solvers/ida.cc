@@ -60,7 +60,7 @@ namespace Setae
           result.block(0) -= motion.displacement;
 
           result.block(1) = system.residual();
-          system.set_supports_to_zero(result.block(1));
+          system.project_force(result.block(1));
           result.block(1) += y.block(1);
           result.block(1) -= motion.velocity;
           return 0;
@@ -86,28 +86,29 @@ namespace Setae
       {
         return guarded([&]() {
           ++n_solved;
-          const Vector &first = right_hand_side.block(0);
-          Vector        free_first(first);
-          system.set_supports_to_zero(free_first);
+          // The equations of the supports stand in the rows that are not free.
+          Vector first(right_hand_side.block(0)),
+            second(right_hand_side.block(1));
+          Vector first_of_supports(first), second_of_supports(second);
+          system.set_supports_to_zero(first);
+          system.set_supports_to_zero(second);
+          first_of_supports -= first;
+          second_of_supports -= second;
+          system.project_motion(first);
 
-          Vector force = system.times_mass(free_first);
+          Vector force = system.times_mass(first);
           force *= alpha + damping;
-          force += right_hand_side.block(1);
-          system.set_supports_to_zero(force);
+          system.project_force(force);
+          force += second;
           Vector displacement(force);
           if (!system.solve(force, displacement) &&
               !(assemble_again() && system.solve(force, displacement)))
             return 1;
 
-          Vector velocity(right_hand_side.block(1));
-          system.set_supports_to_zero(velocity);
-          velocity.sadd(-1., 1., right_hand_side.block(1));
-          velocity.add(alpha, displacement, -1., free_first);
-
           result.block(0) = displacement;
-          result.block(0) += first;
-          result.block(0) -= free_first;
-          result.block(1) = velocity;
+          result.block(0) += first_of_supports;
+          result.block(1) = second_of_supports;
+          result.block(1).add(alpha, displacement, -1., first);
           return 0;
         });
       }

@@ -7,6 +7,7 @@
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/trilinos_vector.h>
 
+#include <setae/assembly/tangent_directions.h>
 #include <setae/fibers/fiber_system.h>
 
 #include <map>
@@ -28,8 +29,9 @@ namespace Setae
 
 
   /**
-   * All supports of a scene: prescribed degrees of freedom as functions of
-   * time.
+   * All supports of a scene: degrees of freedom that are prescribed as
+   * functions of time, and components of tangents that follow others because
+   * their direction is prescribed. All others are free.
    */
   class Supports
   {
@@ -41,8 +43,18 @@ namespace Setae
     explicit Supports(const FiberSystem &fibers);
 
     /**
+     * Turn the prescribed directions of tangents to where they are at @p time.
+     *
+     * @return Whether that changes the pattern of the matrix.
+     */
+    bool
+    move_to(const double time);
+
+    /**
      * The constraints on an increment that takes the @p solution (known on every
-     * rank) to the prescribed values at @p time.
+     * rank) to the prescribed values at @p time, after move_to().
+     *
+     * @throws ExcParameter if a prescribed tangent does not have the length 1.
      */
     dealii::AffineConstraints<double>
     increment_to(const double                                 time,
@@ -56,9 +68,42 @@ namespace Setae
     }
 
     /**
+     * Take a force, or a residual, to what acts on the free unknowns: those
+     * that follow pass theirs on to the ones they follow. Zero at all others.
+     */
+    void
+    project_force(dealii::TrilinosWrappers::MPI::Vector &force) const;
+
+    /**
+     * Take a motion, or an increment, to one that leaves the supports at rest:
+     * what is prescribed does not move, what follows goes with the free
+     * unknowns.
+     */
+    void
+    project_motion(dealii::TrilinosWrappers::MPI::Vector &motion) const;
+
+    /** Take a diagonal matrix to that of the free unknowns, likewise. */
+    void
+    project_diagonal(dealii::TrilinosWrappers::MPI::Vector &diagonal) const;
+
+    /** Let what follows go with the free unknowns, in a scene with dynamics. */
+    void
+    follow(dealii::TrilinosWrappers::MPI::Vector &motion) const;
+
+    /** Whether no tangent points against its prescribed direction. */
+    bool
+    tangents_point_forward(
+      const dealii::TrilinosWrappers::MPI::Vector &solution) const
+    {
+      return directions.point_forward(solution);
+    }
+
+    /**
      * Value, velocity and acceleration of each prescribed degree of freedom.
      * The derivatives are taken from values @p spacing apart, none of them
      * before time 0.
+     *
+     * @throws ExcParameter as increment_to().
      */
     std::map<dealii::types::global_dof_index, std::array<double, 3>>
     motion_at(const double time, const double spacing) const;
@@ -67,13 +112,6 @@ namespace Setae
     std::vector<SupportReport>
     report(const double                                 time,
            const dealii::TrilinosWrappers::MPI::Vector &residual) const;
-
-    /** How many degrees of freedom are prescribed. */
-    std::size_t
-    n_prescribed() const
-    {
-      return prescribed.size();
-    }
 
   private:
     /** One prescribed degree of freedom. */
@@ -95,6 +133,26 @@ namespace Setae
                    const bool                               tangent,
                    const std::array<const Expression *, 3> &values);
 
+    /** A function of time, or none for the initial direction or a free one. */
+    std::shared_ptr<const VectorExpression>
+    parse_direction(const unsigned int index, const Fiber &fiber) const;
+
+    void
+    direct_node(const unsigned int                             support,
+                const unsigned int                             fiber,
+                const unsigned int                             node,
+                const std::shared_ptr<const VectorExpression> &direction);
+
+    void
+    check_directions() const;
+
+    /** That a prescribed tangent does not prescribe the stretch of a fiber. */
+    void
+    check_tangents(const double time) const;
+
+    void
+    make_constraints();
+
     void
     hold_rigid_fibers();
 
@@ -109,8 +167,23 @@ namespace Setae
     /** The formulas, owned once; the degrees of freedom point at them. */
     std::vector<std::unique_ptr<Expression>> expressions;
 
+    /** A node of which components of the tangent are prescribed. */
+    struct PrescribedTangent
+    {
+      unsigned int                      support;
+      Tensor<1, 3>                      initial;
+      std::array<const Expression *, 3> changes; ///< or none
+      std::array<bool, 3>               is_free;
+    };
+
     std::map<dealii::types::global_dof_index, Prescribed> prescribed;
-    dealii::AffineConstraints<double>                     homogeneous;
+    std::vector<PrescribedTangent>                        prescribed_tangents;
+    TangentDirections                                     directions;
+
+    /** The support of the direction of each component of a tangent. */
+    std::map<dealii::types::global_dof_index, unsigned int> directed;
+
+    dealii::AffineConstraints<double> homogeneous;
   };
 } // namespace Setae
 

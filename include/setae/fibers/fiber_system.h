@@ -122,6 +122,10 @@ namespace Setae
              const bool         tangent,
              const unsigned int coordinate) const;
 
+    /** The initial tangent at a node of a fiber, of length 1. */
+    Tensor<1, 3>
+    initial_tangent(const unsigned int fiber, const unsigned int node) const;
+
     /**
      * Where on a fiber an arc length is: cell and reference coordinate.
      */

@@ -72,9 +72,29 @@ namespace Setae
     virtual Vector
     unit_displacements() const = 0;
 
-    /** Set the prescribed entries to zero. */
+    /** Set the entries to zero that are not free. */
     virtual void
     set_supports_to_zero(Vector &vector) const = 0;
+
+    /**
+     * Take a force to what acts on the free unknowns, zero at all others. Where
+     * an unknown follows free ones, its force acts on these.
+     */
+    virtual void
+    project_force(Vector &force) const
+    {
+      set_supports_to_zero(force);
+    }
+
+    /**
+     * Take a motion to one with the supports at rest: zero where unknowns are
+     * prescribed. Those that follow free ones go with them.
+     */
+    virtual void
+    project_motion(Vector &motion) const
+    {
+      set_supports_to_zero(motion);
+    }
 
     /**
      * The motion at time 0: at rest but for the initial velocities of the
