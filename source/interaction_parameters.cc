@@ -30,7 +30,8 @@ namespace Setae
       "over the sections of a target that are next to its end too, with the "
       "source as the infinite cylinder, and lets the target fade there; "
       "'by law' is finite for laws that know the tilt of a section, which "
-      "cannot be clamped.",
+      "cannot be clamped. Finite ends are flat. Contact has round ends only; a "
+      "scene with flat ends throughout takes a repulsive potential instead.",
       Patterns::Selection("by law|clamped|finite"));
     prm.add_parameter("source",
                       source,

@@ -114,6 +114,11 @@ namespace Setae
               path + "cutoff",
               interaction.cutoff,
               "0 for the law '" + interaction.law + "'");
+      require(interaction.target_ends == "by law",
+              path + "target ends",
+              interaction.target_ends,
+              "by law for the law '" + interaction.law +
+                "', whose ends are round; those of a potential are flat");
     }
 
     /** The prefactors, or what stands for them, see point_potential(). */
@@ -129,7 +134,7 @@ namespace Setae
           require(gap == 0. && force == 0. && hamaker == 0.,
                   path + "prefactors",
                   list(interaction.prefactors),
-                  "left out with 'equilibrium gap', 'force minimum' or "
+                  "left out with 'equilibrium gap' and 'force minimum', or "
                   "'hamaker constant'");
           require(interaction.prefactors.size() == interaction.exponents.size(),
                   path + "prefactors",
@@ -333,7 +338,7 @@ namespace Setae
               "finite" + for_law);
       require(depends_on == Invariants::gap_angle ||
                 depends_on == Invariants::gap_angle_tilt ||
-                interaction.target_ends != "finite",
+                interaction.target_ends == "by law",
               path + "target ends",
               interaction.target_ends,
               "by law" + for_law + ", whose target is integrated over");

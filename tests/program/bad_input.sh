@@ -82,6 +82,12 @@ supports/held/at|middle|an arc length
 supports/held/at|1.3|the nearest one is at 1.25
 supports/held/displacement|0; 0|three times 'free' or a formula
 supports/held/tangent|0; 0|three times 'free' or a formula
+supports/held/tangent|0; -1; free|keeps the length 1, but it has the length 0 at t = 0
+supports/held/tangent|0.5; 0; 0|it has the length 1.11803 at t = 0; 'tangent direction' leaves
+supports/held/tangent|free; 0.5; 0|the components that are given have the length 1.5 at t = 0
+supports/held/tangent direction|along|three formulas
+supports/held/tangent direction|0; 0; 0|a vector with a direction at every time, but not at t = 0
+supports/held/tangent direction|0; 1; 1|in the plane of the active coordinates
 loads/weight/fibers|nobody|all, left, right
 loads/weight/at|5.1|at most the length 5
 loads/weight/force|0; 0|three formulas
@@ -106,6 +112,7 @@ interactions/adhesion/target ends|open|by law|clamped|finite
 interactions/adhesion/equilibrium gap|0|positive
 interactions/adhesion/force minimum|1|Double
 interactions/adhesion/force minimum|0|negative
+interactions/adhesion/hamaker constant|much|Double
 interactions/adhesion/far field tolerance|0.001|only 'monopole' has a far field
 interactions/adhesion/far field tolerance|1|Double 0
 interactions/adhesion/integration tolerance|1|Double 0
@@ -115,8 +122,11 @@ interactions/adhesion/switch width|2|Double 0...1
 interactions/adhesion/regularization gap|0.1|below the gap from which on the cutoff
 load stepping/end time|0|positive
 load stepping/first step|0|positive
-load stepping/smallest step|0|positive
+load stepping/smallest step|1|at most the first step; how finely an instability is located is 'instability resolution'
+load stepping/instability resolution|0|positive
 load stepping/largest step|-1|positive
+load stepping/largest step|0|positive at every time, but is 0 at t = 0
+load stepping/largest step|1e-13|at least the smallest step
 load stepping/growth|0.5|Double 1
 fibers/left/density|-1|Double 0
 dynamics/integrator|leapfrog|none|generalized-alpha|energy-conserving|IDA
@@ -177,6 +187,39 @@ rejects two_fibers.prm --set "coordinates=x, y, z" \
   "'fibers/left/centerline'" "curved" "straight"
 rejects two_fibers.prm --set "fibers/left/centerline=0; cos(s); sin(s)" -- \
   "'fibers/left/centerline'" "curved out of the plane" "in the plane"
+rejects two_fibers.prm --set "supports/held/tangent direction=initial" \
+  --set "supports/held/tangent=0; free; free" -- \
+  "'supports/held/tangent direction'" "'initial'" "'free' where the support" \
+  "'held' holds a component"
+
+# What says how strong an interaction is: one way, not two.
+adhesion=interactions/adhesion
+rejects two_fibers.prm --set "$adhesion/hamaker constant=1e-3" -- \
+  "'$adhesion/force minimum'" "'-0.1'" "0 with 'hamaker constant'"
+rejects two_fibers.prm --set "$adhesion/hamaker constant=-1e-3" \
+  --set "$adhesion/force minimum=0" -- "'$adhesion/hamaker constant'" \
+  "'-0.001'" "positive, an attraction, with an equilibrium gap"
+rejects two_fibers.prm --set "$adhesion/hamaker constant=1e-3" \
+  --set "$adhesion/force minimum=0" --set "$adhesion/equilibrium gap=0" -- \
+  "'$adhesion/exponents'" "'6, 12'" "6 with 'hamaker constant'"
+rejects two_fibers.prm --set "$adhesion/hamaker constant=1e-3" \
+  --set "$adhesion/force minimum=0" --set "fibers/right/radius=0.03" -- \
+  "'$adhesion/equilibrium gap'" "'0.001'" "'prefactors'"
+for law in monopole quadrupole penalty-contact; do
+  rejects two_fibers.prm --set "$adhesion/law=$law" -- \
+    "'$adhesion/equilibrium gap'" "'0.001'" "left out for the law '$law'"
+done
+
+# Which ends a law can have.
+rejects two_fibers.prm --set "$adhesion/law=penalty-contact" \
+  --set "$adhesion/equilibrium gap=0" --set "$adhesion/force minimum=0" \
+  --set "$adhesion/penalty=1" --set "$adhesion/cutoff=0" \
+  --set "$adhesion/target ends=finite" -- "'$adhesion/target ends'" \
+  "'finite'" "whose ends are round; those of a potential are flat"
+rejects two_fibers.prm --set "$adhesion/law=disk-disk" \
+  --set "$adhesion/target ends=clamped" -- "'$adhesion/target ends'" \
+  "'clamped'" "whose target is integrated over"
+
 with_prefactors() {
   rejects two_fibers.prm --set "interactions/adhesion/equilibrium gap=0" \
     --set "interactions/adhesion/force minimum=0" \
@@ -221,6 +264,9 @@ rejects two_fibers.prm "${motion[@]}" \
 rejects two_fibers.prm "${motion[@]}" \
   --set "supports/held/displacement=0.1; 0; free" -- \
   "'supports/held/displacement'" "'0.1; 0; free'" "zero at time 0"
+rejects two_fibers.prm "${motion[@]}" \
+  --set "supports/held/tangent direction=t; 1; 0" -- \
+  "'supports/held/tangent direction'" "'t; 1; 0'" "in a scene with dynamics"
 rejects two_fibers.prm "${motion[@]}" --set "dynamics/integrator=IDA" -- \
   "'dynamics/tolerance'" "'0'" "positive for the integrator IDA"
 rejects two_fibers.prm "${motion[@]}" --set "dynamics/integrator=IDA" \
@@ -241,6 +287,16 @@ rejects two_fibers.prm "${motion[@]}" "${no_potential[@]}" \
   "'adhesion', which has no potential"
 run two_fibers.prm "${motion[@]}" "${no_potential[@]}" --output good
 check "generalized-alpha rejects forces without a potential" [ "$status" -eq 0 ]
+
+# What a formula comes to while the run is under way: each step is checked.
+run two_fibers.prm --set "load stepping/largest step=if(t < 5e-6, 2e-6, 0)" \
+  --set "load stepping/first step=1e-6" --output good
+one_line_with "'load stepping/largest step'" "'if(t < 5e-6, 2e-6, 0)'" \
+  "positive at every time, but is 0 at t = 5e-06"
+run two_fibers.prm --set "supports/held/at=start" \
+  --set "supports/held/tangent=0; -1e5*t; 0" --output good
+one_line_with "'supports/held/tangent'" "'0; -1e5*t; 0'" \
+  "length 0 at t = 1e-05"
 
 # Where nothing can be written: below a file, and in the place of one.
 for directory in /dev/null/x two_fibers.prm/x two_fibers.prm; do

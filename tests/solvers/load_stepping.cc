@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <setae/base/exceptions.h>
 #include <setae/solvers/load_stepping.h>
 
 using namespace Setae;
@@ -75,4 +76,57 @@ TEST(LoadStepping, ClosesInOnAPlaceThatCannotBePassed)
   steps.restart();
   EXPECT_EQ(steps.time(), time);
   EXPECT_DOUBLE_EQ(steps.step_size(), .1);
+}
+
+
+
+TEST(LoadStepping, LocatesNothingFinerThanTheInstabilityResolution)
+{
+  // As in the peeling scenes, whose first steps are shorter.
+  LoadSteppingParameters p = parameters();
+  p.first_step             = 1e-5;
+  p.instability_resolution = 1e-4;
+  LoadStepping steps(p, {});
+  EXPECT_FALSE(steps.reject());
+}
+
+
+
+TEST(LoadStepping, DoesNotCreepBelowTheSmallestStep)
+{
+  LoadSteppingParameters p = parameters();
+  p.smallest_step          = 1e-3;
+  LoadStepping steps(p, {});
+  for (unsigned int i = 0; i < 50; ++i)
+    {
+      EXPECT_GE(steps.step_size(), 1e-3 * (1. - 1e-10));
+      steps.accept(1000);
+    }
+}
+
+
+
+TEST(LoadStepping, ChecksTheLargestStepWheneverItIsUsed)
+{
+  for (const char *formula : {"if(t < 0.5, 0.1, 0)",
+                              "if(t < 0.5, 0.1, -0.1)",
+                              "if(t < 0.5, 0.1, 1e-9)",
+                              "if(t < 0.5, 0.1, log(0))"})
+    {
+      LoadSteppingParameters p = parameters();
+      p.largest_step           = formula;
+      LoadStepping steps(p, {});
+      try
+        {
+          while (!steps.is_finished())
+            steps.accept(5);
+          FAIL() << formula << " is accepted at time " << steps.time();
+        }
+      catch (const ExcParameter &exception)
+        {
+          EXPECT_GE(steps.time(), .5) << formula;
+          EXPECT_NE(std::string(exception.what()).find("largest step"),
+                    std::string::npos);
+        }
+    }
 }

@@ -128,13 +128,15 @@ namespace Setae
     check_equal(const InteractionParameters &parameters,
                 const SectionPair           &sections)
     {
+      const bool has_force = parameters.force_minimum != 0.;
       require(parameters.equilibrium_gap == 0. ||
                 (sections.radius_1 == sections.radius_2 &&
                  sections.density_1 == sections.density_2),
-              "interactions/" + parameters.name + "/equilibrium gap",
-              parameters.equilibrium_gap,
-              "left out, with 'prefactors' given instead, for fibers that "
-              "differ in radius or number density");
+              "interactions/" + parameters.name +
+                (has_force ? "/force minimum" : "/equilibrium gap"),
+              has_force ? parameters.force_minimum : parameters.equilibrium_gap,
+              "replaced by 'prefactors' for fibers that differ in radius or "
+              "number density");
       require(parameters.hamaker_constant == 0. ||
                 (sections.density_1 > 0. && sections.density_2 > 0.),
               "interactions/" + parameters.name + "/hamaker constant",

@@ -34,7 +34,9 @@ namespace Setae
     {
       return "section-beam (SBIP): a disk of the source fiber and the cylinder "
              "that touches the target fiber at the closest point, integrated "
-             "over the source fiber";
+             "over the source fiber, whose ends are flat; those of the target "
+             "are infinite cylinders unless 'target ends' makes them finite "
+             "and flat";
     }
 
     DiskCylinder(const PointPotential &potential,

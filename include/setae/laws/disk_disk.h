@@ -33,7 +33,7 @@ namespace Setae
     description()
     {
       return "section-section (SSIP): two coplanar disks at a small gap, "
-             "integrated over both fibers";
+             "integrated over both fibers, whose ends are flat";
     }
 
     DiskDisk(const PointPotential &potential,

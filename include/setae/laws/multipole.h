@@ -63,7 +63,8 @@ namespace Setae
       return order == 1 ?
                "section-section at large distance: all points of a section as "
                "if on the centerline, for Coulomb and other long-range "
-               "potentials, without a cutoff unless one is given" :
+               "potentials, without a cutoff unless one is given; no points "
+               "are beyond the ends, which are flat" :
                "the monopole with the next term in radius over distance";
     }
 

@@ -47,7 +47,7 @@ namespace Setae
     description()
     {
       return "section-section with offset (ISSIP): two disks in parallel planes "
-             "at a small gap, integrated over both fibers";
+             "at a small gap, integrated over both fibers, whose ends are flat";
     }
 
     OffsetDisks(const PointPotential &potential,

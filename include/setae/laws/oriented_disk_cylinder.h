@@ -36,7 +36,7 @@ namespace Setae
     {
       return "section-beam: a disk of the source fiber, however it leans, and "
              "the cylinder that touches the target fiber, in closed form; exact "
-             "at every angle as the gap closes";
+             "at every angle as the gap closes; all ends are flat";
     }
 
     OrientedDiskCylinder(const PointPotential &potential,

@@ -17,8 +17,9 @@ namespace Setae
    * of the target is negative, the energy per length of the source is
    * @f[ \tilde\pi(g) = \tfrac{\varepsilon}{2} g^2, \qquad g < 0, @f]
    * so that the fibers press on each other with the force @f$\varepsilon|g|@f$
-   * per length. It depends on no angle. Nothing of the tangent matrix is
-   * continuous at g = 0, but energy and force are.
+   * per length. It depends on no angle, so that a fiber is a row of spheres,
+   * with round ends. Nothing of the tangent matrix is continuous at g = 0, but
+   * energy and force are.
    */
   class PenaltyContact
   {
@@ -31,7 +32,8 @@ namespace Setae
     description()
     {
       return "line contact: a force per length proportional to the penetration "
-             "of the fibers, by the factor 'penalty'";
+             "of the fibers, by the factor 'penalty'; all ends are round, half "
+             "a sphere beyond the last point";
     }
 
     /** @param penalty Force per length and penetration [force/length^2]. */

@@ -35,7 +35,7 @@ namespace Setae
     {
       return "section-beam: the same by quadrature over the disk, with the "
              "points that 'section points' asks for; exact at every angle and "
-             "gap in the limit of many";
+             "gap in the limit of many; all ends are flat";
     }
 
     SectionQuadrature(const PointPotential &potential,

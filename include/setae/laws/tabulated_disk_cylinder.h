@@ -42,7 +42,7 @@ namespace Setae
     {
       return "section-beam: the closed form times a correction that is "
              "tabulated at start-up, right to 'law tolerance' at every angle "
-             "and gap";
+             "and gap; all ends are flat";
     }
 
     TabulatedDiskCylinder(const PointPotential &potential,
