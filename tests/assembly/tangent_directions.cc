@@ -101,7 +101,7 @@ subsection loads
     return {{u * axes.along,
              u * axes.across,
              step.evaluation.energies[0],
-             step.motion.momenta.kinetic_energy}};
+             step.motion ? step.motion->momenta.kinetic_energy : 0.}};
   }
 } // namespace
 

@@ -99,16 +99,18 @@ namespace Setae
     potential(const double equilibrium_gap, const double force_minimum) const
     {
       // For powers of the gap the force is smallest at 1.12 (far apart) to
-      // 1.23 (near) times the equilibrium gap.
+      // 1.23 (near) times the equilibrium gap. Boost's tolerance is an absolute
+      // one for small arguments.
       constexpr double farthest = 2.;
       const double     ratio    = repulsion_over_attraction(equilibrium_gap);
       const double     smallest =
         boost::math::tools::brent_find_minima(
-          [&](const double gap) {
+          [&](const double x) {
+            const double gap = x * equilibrium_gap;
             return force(attraction, gap) + ratio * force(repulsion, gap);
           },
-          equilibrium_gap,
-          farthest * equilibrium_gap,
+          1.,
+          farthest,
           std::numeric_limits<double>::digits / 2)
           .second;
       const double factor = force_minimum / smallest;
