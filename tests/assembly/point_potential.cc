@@ -34,8 +34,10 @@ namespace
     else
       {
         constexpr double largest = 25.;
-        const double     d = gap + sum_of_radii, w = std::sqrt(gap * d);
-        double           sum = 0.;
+        const double     d       = gap + sum_of_radii;
+        const double     w =
+          Law::depends_on == Invariants::gap_offset ? gap : std::sqrt(gap * d);
+        double sum = 0.;
         for (unsigned int i = 0; i < n_points; ++i)
           {
             const double u      = largest * (2. * (i + .5) / n_points - 1.);
