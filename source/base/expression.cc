@@ -43,7 +43,7 @@ namespace Setae
     as_text(const double value)
     {
       std::ostringstream text;
-      text << std::setprecision(12) << value;
+      text << std::setprecision(12) << (std::isnan(value) ? NAN : value);
       return text.str();
     }
 

@@ -2,7 +2,6 @@
 // Copyright (C) 2026 The Setae authors
 
 #include <deal.II/grid/grid_in.h>
-#include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria.h>
 
 #include <setae/base/exceptions.h>
@@ -13,6 +12,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <limits>
+#include <numeric>
 #include <set>
 #include <sstream>
 
@@ -135,36 +135,45 @@ namespace Setae
   void
   LineMesh::join_nodes()
   {
-    std::vector<Point<3>> vertices;
-    for (const Tensor<1, 3> &node : nodes)
-      vertices.emplace_back(node);
-    std::vector<CellData<1>> cells(lines.size());
-    for (unsigned int i = 0; i < lines.size(); ++i)
-      {
-        cells[i].vertices[0] = lines[i].first;
-        cells[i].vertices[1] = lines[i].second;
-      }
-    SubCellData               none;
-    std::vector<unsigned int> all;
-    GridTools::delete_duplicated_vertices(
-      vertices, cells, none, all, 2. * rounding);
+    // Nodes at the same place are neighbours in an order along a direction that
+    // no mesh has planes across.
+    const double       tolerance = 4. * rounding;
+    const Tensor<1, 3> skew({1., .6180339887, .3243877291});
+    const auto along = [&](const unsigned int v) { return nodes[v] * skew; };
+    std::vector<unsigned int> order(nodes.size()), joined_to(nodes.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::iota(joined_to.begin(), joined_to.end(), 0);
+    std::sort(order.begin(), order.end(), [&](unsigned int v, unsigned int w) {
+      return std::make_pair(along(v), v) < std::make_pair(along(w), w);
+    });
+    for (unsigned int i = 0; i < order.size(); ++i)
+      for (unsigned int j = i + 1;
+           j < order.size() &&
+           along(order[j]) - along(order[i]) <= 2. * tolerance;
+           ++j)
+        if ((nodes[order[i]] - nodes[order[j]]).norm() <= tolerance)
+          {
+            const unsigned int first =
+              std::min(joined_to[order[i]], joined_to[order[j]]);
+            joined_to[order[i]] = joined_to[order[j]] = first;
+          }
 
     std::set<unsigned int> joined;
-    for (unsigned int i = 0; i < lines.size(); ++i)
+    for (auto &[first, second] : lines)
       {
-        auto &[first, second] = lines[i];
-        if (cells[i].vertices[0] != first)
-          joined.insert(first);
-        if (cells[i].vertices[1] != second)
-          joined.insert(second);
-        AssertThrow(cells[i].vertices[0] != cells[i].vertices[1],
+        AssertThrow(joined_to[first] != joined_to[second],
                     ExcParameter(parameter,
                                  file,
                                  "a mesh of lines that have a length, but the "
                                  "one from " +
                                    describe(first) + " to " + describe(second) +
                                    " has none"));
-        lines[i] = {cells[i].vertices[0], cells[i].vertices[1]};
+        for (unsigned int *v : {&first, &second})
+          if (joined_to[*v] != *v)
+            {
+              joined.insert(*v);
+              *v = joined_to[*v];
+            }
       }
     n_joined = joined.size();
     if (n_joined > 0)
