@@ -193,7 +193,9 @@ namespace Setae
         const std::string name  = Utilities::trim(entry.substr(0, equal));
         const std::set<std::string> reserved = {
           "", "s", "t", "i", "j", "k", "pi"};
-        AssertThrow(equal != std::string::npos && reserved.count(name) == 0,
+        AssertThrow(equal != std::string::npos && reserved.count(name) == 0 &&
+                      !std::isdigit(static_cast<unsigned char>(name[0])) &&
+                      std::all_of(name.begin(), name.end(), is_part_of_name),
                     ExcParameter(parameter,
                                  text,
                                  "a list 'name = value, ...' with names other "

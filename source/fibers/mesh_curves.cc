@@ -146,9 +146,15 @@ namespace Setae
                              {"j", 0.},
                              {"k", 0.}};
         if (lines.back().is_straight())
-          moved = std::max(moved, lines.back().straighten());
+          {
+            const auto  &x       = lines.back().positions;
+            const double largest = x.front().norm() + x.back().norm();
+            const double by      = lines.back().straighten();
+            if (by > 1e-14 * largest)
+              moved = std::max(moved, by);
+          }
       }
-    if (moved > 1e-3 * mesh.rounding)
+    if (moved > 0.)
       {
         notice.str("");
         notice << "The mesh file '" << parameters.mesh_file

@@ -133,7 +133,7 @@ TEST(MeshCurves, RefuseKinksWithNodePlaceAndAngle)
   expect_part(refusal_of_turns({0., 12., 0.}), "turns by 12 degrees");
   expect_part(refusal_of_turns({30., -30., 30., -30.}), "turns by 30");
   expect_part(refusal_of_turns({70., 70., 70.}), "turns by 70");
-  expect_part(refusal_of_turns({180.}), "turns by 180");
+  expect_part(refusal_of_turns({170.}), "turns by 170");
   EXPECT_EQ(refusal_of_turns({0., 90., 0.}, 90.), "");
 }
 

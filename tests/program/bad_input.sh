@@ -79,7 +79,7 @@ fibers/left/centerline|0; s|three formulas
 fibers/left/centerline|0; 1; 0|a curve with a tangent at every s
 fibers/left/centerline|0; s^2; 0|a curve with a tangent at every s
 fibers/left/mesh file|none.msh|a file that exists
-fibers/left/mesh file|no_mesh.msh|a mesh of lines that can be read: The file contains an unknown
+fibers/left/mesh file|no_mesh.msh|a mesh of lines that can be read: The string <no> is not recognized
 fibers/left/mesh file|branched.vtk|without branches, but 3 lines meet at node 0 at (0, 0, 0)
 fibers/left/mesh file|bent.vtk|without kinks, but at node 1 at (1, 0, 0) it turns by 90 degrees
 fibers/left/largest kink|-1|Double 0...180
@@ -164,7 +164,7 @@ done <<'END'
 fibers/left/centerline|0,04*s; s; 0|0,04*s|a comma outside a function call
 loads/weight/force|0; if(t=0.5, 1, 2); 0|if(t=0.5, 1, 2)|'==' compares
 loads/weight/force|0; 1/(t - t); 0|1/(t - t)|is inf at s = 
-fibers/left/centerline|0; 200000 + s; 0|0; 200000; 0|of 'interactions/adhesion/regularization gap'
+fibers/left/centerline|0; 1e7 + s; 0|0; 1e+07; 0|of 'interactions/adhesion/regularization gap'
 supports/held/displacement|0; 0,1*t; free|0,1*t|a comma outside a function call
 END
 while IFS='|' read -r parameter value shown allowed; do
@@ -173,7 +173,7 @@ while IFS='|' read -r parameter value shown allowed; do
       "'$parameter'" "'$shown'" "$allowed"
 done <<'END'
 constants|g_eq = 1, R = 2*q|2*q|g_eq, pi
-constants|2x = 1, g_eq = 1|1|a formula
+constants|2x = 1, g_eq = 1|2x = 1, g_eq = 1|has '2x = 1'
 fibers/left/centerline|0; s + q; 0|s + q|s, g_eq, i, j, k, l, pi
 fibers/names|left, all|all|different names
 supports/names|held, held|held|different names
@@ -181,7 +181,7 @@ fibers/left/centerline|0; s; sin(|sin(|a formula
 fibers/left/centerline|0; log(-1 - s); 0|log(-1 - s)|finite
 supports/held/displacement|0; q*t; 0|q*t|t, g_eq, i, j, k, l, pi
 supports/held/displacement|1/t; 0; free|1/t|finite
-loads/weight/force|0; 0; q*s|q*s|s,t, g_eq, l, pi
+loads/weight/force|0; 0; q*s|q*s|s,t, g_eq, i, j, k, l, pi
 load stepping/largest step|if(t < q, 1, 2)|if(t < q, 1, 2)|t, g_eq, l, pi
 END
 
