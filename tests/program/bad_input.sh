@@ -164,7 +164,7 @@ done <<'END'
 fibers/left/centerline|0,04*s; s; 0|0,04*s|a comma outside a function call
 loads/weight/force|0; if(t=0.5, 1, 2); 0|if(t=0.5, 1, 2)|'==' compares
 loads/weight/force|0; 1/(t - t); 0|1/(t - t)|is inf at s = 
-fibers/left/centerline|0; 1e7 + s; 0|0; 1e+07; 0|of 'interactions/adhesion/regularization gap'
+fibers/left/centerline|0; 1e7 + s; 0|0; 1e+07; 0|of 'interactions/adhesion/equilibrium gap'
 supports/held/displacement|0; 0,1*t; free|0,1*t|a comma outside a function call
 END
 while IFS='|' read -r parameter value shown allowed; do
