@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 The Setae authors
 
-#include <deal.II/base/parameter_handler.h>
-
+#include <setae/base/entries.h>
 #include <setae/base/exceptions.h>
 #include <setae/beams/all.h>
 #include <setae/scene.h>
@@ -12,7 +11,7 @@ namespace Setae
   using namespace dealii;
 
   void
-  DynamicsParameters::add_parameters(ParameterHandler &prm)
+  DynamicsParameters::add_parameters(Entries &prm)
   {
     prm.add_parameter(
       "integrator",

@@ -9,13 +9,10 @@
 #include <string>
 #include <vector>
 
-namespace dealii
-{
-  class ParameterHandler;
-}
-
 namespace Setae
 {
+  class Entries;
+
   /** One named subsection: a fiber, or an array of equal ones. */
   struct FiberParameters
   {
@@ -33,9 +30,25 @@ namespace Setae
     double                    density          = 0.;
     std::string               initial_velocity = "0; 0; 0";
     std::string               beam;
+    double                    largest_kink = 10.;
+
+    /** The numbers i, j, k of each copy, i running slowest. */
+    std::vector<Constants>
+    copy_indices() const;
+
+    /**
+     * The parameters of one copy, whose numbers may be formulas of its i, j, k.
+     *
+     * @throws ExcParameter if a number of the copy cannot be used.
+     */
+    FiberParameters
+    of_copy(const Constants &constants, const Constants &copy) const;
+
+    /** The numbers of the section as they are written. */
+    std::map<std::string, std::string> texts;
 
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(Entries &prm);
   };
 
 
@@ -45,12 +58,13 @@ namespace Setae
   {
     std::string              name;
     std::vector<std::string> fibers       = {"all"};
+    std::string              copies       = "all";
     std::vector<std::string> at           = {"start"};
     std::string              displacement = "free; free; free";
     std::string              tangent      = "free; free; free";
 
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(Entries &prm);
   };
 
 
@@ -60,12 +74,13 @@ namespace Setae
   {
     std::string              name;
     std::vector<std::string> fibers = {"all"};
+    std::string              copies = "all";
     std::vector<std::string> at     = {"end"};
     std::string              force  = "0; 0; 0";
     std::string              moment = "0; 0; 0";
 
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(Entries &prm);
   };
 
 
@@ -104,7 +119,7 @@ namespace Setae
     double                    law_tolerance         = 5e-4;
 
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(Entries &prm);
   };
 
 
@@ -121,7 +136,7 @@ namespace Setae
     bool         pass_instabilities  = true;
 
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(Entries &prm);
   };
 
 
@@ -153,7 +168,7 @@ namespace Setae
     check(const std::vector<FiberParameters> &fibers) const;
 
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(Entries &prm);
   };
 
 
@@ -171,7 +186,7 @@ namespace Setae
     bool         log_iterations               = false;
 
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(Entries &prm);
   };
 
 
@@ -185,7 +200,7 @@ namespace Setae
     bool         fields         = true;
 
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(Entries &prm);
   };
 
 
@@ -200,7 +215,7 @@ namespace Setae
     double       max_n_cells  = 1e6;
 
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(Entries &prm);
   };
 
 
@@ -212,7 +227,6 @@ namespace Setae
   {
     std::string title;
     std::string coordinates = "x, y, z";
-    std::string constants_text;
     Constants   constants;
 
     std::vector<FiberParameters>       fibers;
@@ -235,6 +249,10 @@ namespace Setae
     void
     check() const;
 
+    /** Those of every fiber whose parameters can differ from another's. */
+    std::vector<FiberParameters>
+    parameters_of_copies() const;
+
     /** Whether fibers may overlap a little because a contact force acts. */
     bool
     has_contact() const;
@@ -253,7 +271,7 @@ namespace Setae
     /**
      * Read a scene.
      *
-     * @param text The contents of a .prm file.
+     * @param file_text The contents of a .prm file.
      * @param file_name Its name, for messages and for the default directory.
      * @param overrides "section/name=value", applied after the file.
      *
@@ -261,7 +279,7 @@ namespace Setae
      * cannot be used.
      */
     static Scene
-    read(const std::string              &text,
+    read(const std::string              &file_text,
          const std::string              &file_name,
          const std::vector<std::string> &overrides = {});
 
