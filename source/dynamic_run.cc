@@ -126,7 +126,13 @@ namespace Setae
           {
             BalancedState state(system, method.trial(), record.time);
             const Work    step =
-              work_between(system, dynamics.damping, *last_state, state);
+              work_between(system,
+                           dynamics.damping,
+                           *last_state,
+                           state,
+                           steps.time() > 0. ?
+                             0. :
+                             dynamics.damping * record.step_size);
             Work sum = work;
             sum += step;
             MotionReport next = report(method.trial(), result.evaluation, sum);

@@ -38,7 +38,8 @@ namespace Setae
   work_between(DynamicSystem       &system,
                const double         damping,
                const BalancedState &first,
-               const BalancedState &second)
+               const BalancedState &second,
+               const double         decay)
   {
     using Vector    = NonlinearSystem::Vector;
     const Motion &a = first.motion, &b = second.motion;
@@ -55,6 +56,15 @@ namespace Setae
     result.damping = damping * mean(a.velocity, b.velocity, momentum);
     result.inertia = mean(a.acceleration, b.acceleration, momentum);
     result.path    = chord.l1_norm();
+
+    // Right for a mass that a constant force accelerates from rest, whether it
+    // comes to its last velocity slowly or at once.
+    Vector change(b.velocity);
+    change -= a.velocity;
+    const double moved = .5 * damping * decay * decay / (12. + decay * decay) *
+                         (change * momentum);
+    result.damping += moved;
+    result.inertia -= moved;
     return result;
   }
 

@@ -53,12 +53,18 @@ namespace Setae
    * to the tolerance of Newton's method, whatever the size of the step: unlike
    * with the mean power times that size, nothing is lost or created where
    * velocities change within a step.
+   *
+   * @param decay The rate of damping times the size of the step, for the first
+   * one of a motion: its velocities may be far from those that the forces ask
+   * for, and then decay to them within the step. What damping takes on the way
+   * is moved to it from inertia; for a small decay this is of fourth order.
    */
   Work
   work_between(DynamicSystem       &system,
                const double         damping,
                const BalancedState &first,
-               const BalancedState &second);
+               const BalancedState &second,
+               const double         decay = 0.);
 
 
 
