@@ -79,8 +79,10 @@ namespace Setae
       "largest energy: the largest sum so far of the kinetic energy, what "
       "damping took, and what the energy of each term has changed by since time "
       "0. A step that adds more than half of what is left is repeated with a "
-      "smaller size; with IDA the run ends. What numerical damping takes away "
-      "does not count. 0 means no bound; interactions without a potential "
+      "smaller size; with IDA, which may also add a part of the total energy, "
+      "the run ends. What numerical damping takes away does not count; beyond "
+      "it, generalized-alpha may lose 20 times as much, 'energy-conserving' "
+      "only the same. 0 means no bound; interactions without a potential "
       "('interaction moments', 'cutoff of') have none.",
       Patterns::Double(0.));
     prm.add_parameter("rho infinity",
