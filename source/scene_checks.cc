@@ -207,8 +207,7 @@ namespace Setae
       const std::string without_potential =
         " with the interaction '" + interaction.name +
         "', which has no potential ('interaction moments', 'cutoff of')";
-      const bool has_potential =
-        interaction.interaction_moments && interaction.cutoff_of == "energy";
+      const bool has_potential = interaction.has_potential();
       require(has_potential || dynamics.integrator != "energy-conserving",
               "dynamics/integrator",
               dynamics.integrator,
