@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 The Setae authors
 
-#include <deal.II/base/parameter_handler.h>
-
+#include <setae/base/entries.h>
 #include <setae/base/exceptions.h>
 #include <setae/beams/all.h>
 #include <setae/scene.h>
@@ -12,7 +11,7 @@ namespace Setae
   using namespace dealii;
 
   void
-  DynamicsParameters::add_parameters(ParameterHandler &prm)
+  DynamicsParameters::add_parameters(Entries &prm)
   {
     prm.add_parameter(
       "integrator",
@@ -70,6 +69,20 @@ namespace Setae
       "numerical damping counts as an error. A step of generalized-alpha with "
       "a larger one, as when fibers hit, is repeated with a smaller size; 0 "
       "means no bound.",
+      Patterns::Double(0.));
+    prm.add_parameter(
+      "largest energy gain",
+      largest_energy_gain,
+      "What the time integration may add, in the whole run, to the energy plus "
+      "what damping took minus the work done from outside, as a part of the "
+      "largest energy: the largest sum so far of the kinetic energy, what "
+      "damping took, and what the energy of each term has changed by since time "
+      "0. A step that adds more than half of what is left is repeated with a "
+      "smaller size; with IDA, which may also add a part of the total energy, "
+      "the run ends. What numerical damping takes away does not count; beyond "
+      "it, generalized-alpha may lose 20 times as much, 'energy-conserving' "
+      "only the same. 0 means no bound; interactions without a potential "
+      "('interaction moments', 'cutoff of') have none.",
       Patterns::Double(0.));
     prm.add_parameter("rho infinity",
                       rho_infinity,

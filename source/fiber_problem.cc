@@ -132,6 +132,8 @@ namespace Setae
     ResultFiles files(fibers, term_names(scene));
     files.prepare();
     progress.print_header(fibers);
+    for (const std::string &notice : fibers.notices)
+      pcout << notice << std::endl;
     run([&](const StepRecord &record) {
       output_results(record, files);
       progress.print_step(record);

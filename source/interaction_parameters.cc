@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 The Setae authors
 
-#include <deal.II/base/parameter_handler.h>
-
+#include <setae/base/entries.h>
 #include <setae/base/entry_patterns.h>
 #include <setae/laws/all.h>
 #include <setae/scene.h>
@@ -15,7 +14,7 @@ namespace Setae
 
 
   void
-  InteractionParameters::add_parameters(ParameterHandler &prm)
+  InteractionParameters::add_parameters(Entries &prm)
   {
     law = TabulatedDiskCylinder::name;
     prm.add_parameter("law",

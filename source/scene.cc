@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 The Setae authors
 
-#include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/utilities.h>
 
+#include <setae/base/entries.h>
 #include <setae/base/exceptions.h>
 #include <setae/scene.h>
 
@@ -19,13 +19,17 @@ namespace Setae
   {
     const std::vector<std::string> coordinate_names = {"x", "y", "z"};
 
-    /** The names that the sections of a scene list, read before the rest. */
+    /** The byte order mark of UTF-8. */
+    const std::string utf8_mark = "\xEF\xBB\xBF";
+
+    /** What the rest is declared and read with, read before it. */
     struct Names
     {
       std::vector<std::string> fibers, supports, loads, interactions;
+      std::string              constants;
 
       void
-      add_parameters(ParameterHandler &prm)
+      add_parameters(Entries &prm)
       {
         const auto add = [&prm](const std::string        &section,
                                 std::vector<std::string> &names,
@@ -38,7 +42,12 @@ namespace Setae
                             Patterns::List(Patterns::Anything()));
           prm.leave_subsection();
         };
-        add("fibers", fibers, "the fibers, or arrays of equal fibers");
+        prm.add_parameter("constants",
+                          constants,
+                          "Names that may stand in every formula and number of "
+                          "the scene: 'l = 5, R = l/250'.",
+                          Patterns::Anything());
+        add("fibers", fibers, "the fibers, or arrays of fibers");
         add("supports", supports, "the supports");
         add("loads", loads, "the loads");
         add("interactions", interactions, "the interactions");
@@ -63,7 +72,7 @@ namespace Setae
     };
 
     void
-    add_parameters(ParameterHandler &prm, Scene &scene, Names &names)
+    add_parameters(Entries &prm, Scene &scene, Names &names)
     {
       prm.add_parameter("title",
                         scene.title,
@@ -75,11 +84,6 @@ namespace Setae
                         "coordinate that is left out gets no degrees of "
                         "freedom: 'x, y' for a scene in a plane.",
                         Patterns::MultipleSelection("x|y|z"));
-      prm.add_parameter("constants",
-                        scene.constants_text,
-                        "Names that may stand in every formula of the scene: "
-                        "'l = 5, R = l/250'.",
-                        Patterns::Anything());
       prm.add_parameter("verification",
                         scene.verification,
                         "What the interactions of the last state are compared "
@@ -94,12 +98,20 @@ namespace Setae
         for (auto &entry : list)
           {
             prm.enter_subsection(entry.name);
+            if constexpr (std::is_same_v<decltype(entry), FiberParameters &>)
+              prm.texts = &entry.texts;
             entry.add_parameters(prm);
             prm.leave_subsection();
           }
+        prm.texts = nullptr;
         prm.leave_subsection();
       };
+
+      // Numbers of a fiber are read for its first copy here.
+      const Constants constants = prm.constants;
+      prm.constants = with_copy(constants, {{"i", 0.}, {"j", 0.}, {"k", 0.}});
       add_sections("fibers", scene.fibers);
+      prm.constants = constants;
       add_sections("supports", scene.supports);
       add_sections("loads", scene.loads);
       add_sections("interactions", scene.interactions);
@@ -131,18 +143,6 @@ namespace Setae
     const std::string hint =
       "allowed is what 'setae --print-parameters' prints, with the sections of "
       "fibers, supports, loads and interactions that their 'names' list.";
-
-    /** What @p exception says, without what deal.II adds. */
-    std::string
-    sentence(const ExceptionBase &exception)
-    {
-      std::ostringstream text;
-      exception.print_info(text);
-      std::string result = Utilities::trim(text.str());
-      while (!result.empty() && result.back() == '.')
-        result.pop_back();
-      return result;
-    }
 
 
 
@@ -179,7 +179,7 @@ namespace Setae
       }
 
       void
-      apply(ParameterHandler &prm) const
+      apply(Entries &prm) const
       {
         for (const std::string &section : sections)
           prm.enter_subsection(section);
@@ -195,7 +195,7 @@ namespace Setae
           }
         catch (const ParameterHandler::ExcValueDoesNotMatchPattern &exception)
           {
-            const std::string text    = sentence(exception);
+            const std::string text    = reason(exception);
             const std::size_t pattern = text.find('[');
             AssertThrow(false,
                         ExcParameter(
@@ -221,7 +221,7 @@ namespace Setae
 
     /** ParameterHandler's own messages name file, line, entry and pattern. */
     void
-    parse(ParameterHandler  &prm,
+    parse(Entries           &prm,
           const std::string &text,
           const std::string &file_name,
           const bool         skip_undefined = false)
@@ -237,7 +237,59 @@ namespace Setae
         }
       catch (const ExceptionBase &exception)
         {
-          AssertThrow(false, ExcInput(sentence(exception) + "; " + hint));
+          // An editor shows nothing of a mark at the start of an included file.
+          const std::string text = reason(exception);
+          AssertThrow(false,
+                      ExcInput(
+                        text + "; " +
+                        (text.find(utf8_mark) == std::string::npos ?
+                           hint :
+                           "an included file must be saved without the "
+                           "UTF-8 byte order mark that it begins with.")));
+        }
+    }
+
+
+
+    /** Only the scene itself may begin with a mark, as some editors write it.
+     */
+    std::string
+    without_mark(const std::string &text)
+    {
+      return text.compare(0, utf8_mark.size(), utf8_mark) == 0 ?
+               text.substr(utf8_mark.size()) :
+               text;
+    }
+
+
+
+    /**
+     * A relative path starts from the folder of the scene, or from the working
+     * directory if there is no such file. The parameters that are saved have
+     * absolute paths, so that they can be read from elsewhere.
+     */
+    void
+    find_mesh_files(std::vector<FiberParameters> &fibers,
+                    const std::string            &file_name,
+                    ParameterHandler             &prm)
+    {
+      const auto folder = std::filesystem::path(file_name).parent_path();
+      for (FiberParameters &fiber : fibers)
+        {
+          const auto beside_scene = folder / fiber.mesh_file;
+          if (fiber.mesh_file.empty())
+            continue;
+          if (std::filesystem::is_regular_file(beside_scene))
+            fiber.mesh_file = beside_scene.string();
+          if (!std::filesystem::is_regular_file(fiber.mesh_file))
+            continue;
+          const std::string used = fiber.mesh_file;
+          prm.enter_subsection("fibers");
+          prm.enter_subsection(fiber.name);
+          prm.set("mesh file", std::filesystem::absolute(used).string());
+          prm.leave_subsection();
+          prm.leave_subsection();
+          fiber.mesh_file = used; // as the user knows it, for messages
         }
     }
 
@@ -258,21 +310,23 @@ namespace Setae
 
 
   Scene
-  Scene::read(const std::string              &text,
+  Scene::read(const std::string              &file_text,
               const std::string              &file_name,
               const std::vector<std::string> &override_texts)
   {
     std::vector<Override> overrides(override_texts.begin(),
                                     override_texts.end());
+    const std::string     text            = without_mark(file_text);
     std::string           overridden_text = text;
     for (const Override &entry : overrides)
       overridden_text += entry.as_text();
 
     // The names of the subsections have to be known before these can be
-    // declared; everything else is read, strictly, in a second pass.
+    // declared, and the constants before numbers can be read; everything is
+    // read, strictly, in a second pass.
     Names names;
     {
-      ParameterHandler prm;
+      Entries prm;
       names.add_parameters(prm);
       parse(prm, overridden_text, file_name, true);
       names.check_unique();
@@ -283,18 +337,20 @@ namespace Setae
     scene.supports     = named<SupportParameters>(names.supports);
     scene.loads        = named<LoadParameters>(names.loads);
     scene.interactions = named<InteractionParameters>(names.interactions);
+    scene.constants    = parse_constants("constants", names.constants);
 
-    ParameterHandler prm;
+    Entries prm;
+    prm.constants = scene.constants;
     add_parameters(prm, scene, names);
     parse(prm, text, file_name);
     for (const Override &entry : overrides)
       entry.apply(prm);
 
-    scene.constants = parse_constants("constants", scene.constants_text);
     require(!scene.active_coordinates().empty(),
             "coordinates",
             scene.coordinates,
             "at least one of x, y, z");
+    find_mesh_files(scene.fibers, file_name, prm);
     scene.check();
     if (scene.output.directory.empty())
       scene.output.directory =
@@ -317,8 +373,8 @@ namespace Setae
     scene.loads        = named<LoadParameters>({"NAME"});
     scene.interactions = named<InteractionParameters>({"NAME"});
 
-    Names            names = {{"NAME"}, {"NAME"}, {"NAME"}, {"NAME"}};
-    ParameterHandler prm;
+    Names   names = {{"NAME"}, {"NAME"}, {"NAME"}, {"NAME"}};
+    Entries prm;
     add_parameters(prm, scene, names);
     std::ostringstream text;
     prm.print_parameters(text, ParameterHandler::Text);

@@ -3,6 +3,7 @@
 
 #include <deal.II/base/patterns.h>
 
+#include <setae/base/entries.h>
 #include <setae/base/exceptions.h>
 #include <setae/laws/all.h>
 #include <setae/scene.h>
@@ -53,7 +54,8 @@ namespace Setae
 
     void
     check_places(const std::string              &parameter,
-                 const std::vector<std::string> &places)
+                 const std::vector<std::string> &places,
+                 const Constants                &constants)
     {
       require(!places.empty(),
               parameter,
@@ -61,7 +63,7 @@ namespace Setae
               "start, end, all or an arc length");
       for (const std::string &place : places)
         if (place != "start" && place != "end" && place != "all")
-          require(Patterns::Double(0.).match(place),
+          require(NumberPattern(Patterns::Double(0.), constants).match(place),
                   parameter,
                   place,
                   "start, end, all or an arc length");
@@ -85,6 +87,12 @@ namespace Setae
               path + "copies",
               list(fiber.copies),
               "at most three numbers");
+      for (const auto &[entry, text] : fiber.texts)
+        require(!depends_on_copy(text) ||
+                  (entry != "copies" && fiber.mesh_file.empty()),
+                path + entry,
+                text,
+                "the same for all fibers of an array or a mesh file");
       if (!fiber.mesh_file.empty())
         {
           require(std::filesystem::is_regular_file(fiber.mesh_file),
@@ -248,8 +256,7 @@ namespace Setae
       const std::string without_potential =
         " with the interaction '" + interaction.name +
         "', which has no potential ('interaction moments', 'cutoff of')";
-      const bool has_potential =
-        interaction.interaction_moments && interaction.cutoff_of == "energy";
+      const bool has_potential = interaction.has_potential();
       require(has_potential || dynamics.integrator != "energy-conserving",
               "dynamics/integrator",
               dynamics.integrator,
@@ -371,6 +378,25 @@ namespace Setae
 
 
 
+  std::vector<FiberParameters>
+  Scene::parameters_of_copies() const
+  {
+    std::vector<FiberParameters> result;
+    for (const FiberParameters &fiber : fibers)
+      if (std::any_of(fiber.texts.begin(),
+                      fiber.texts.end(),
+                      [](const auto &number) {
+                        return depends_on_copy(number.second);
+                      }))
+        for (const Constants &copy : fiber.copy_indices())
+          result.push_back(fiber.of_copy(constants, copy));
+      else
+        result.push_back(fiber);
+    return result;
+  }
+
+
+
   bool
   Scene::has_contact() const
   {
@@ -387,19 +413,20 @@ namespace Setae
   Scene::check() const
   {
     require(!fibers.empty(), "fibers/names", "", "at least one name");
-    for (const FiberParameters &fiber : fibers)
+    const std::vector<FiberParameters> copies = parameters_of_copies();
+    for (const FiberParameters &fiber : copies)
       check_fiber(fiber);
     for (const SupportParameters &support : supports)
       {
         const std::string path = "supports/" + support.name + "/";
         check_reference(path + "fibers", support.fibers, fibers);
-        check_places(path + "at", support.at);
+        check_places(path + "at", support.at, constants);
       }
     for (const LoadParameters &load : loads)
       {
         const std::string path = "loads/" + load.name + "/";
         check_reference(path + "fibers", load.fibers, fibers);
-        check_places(path + "at", load.at);
+        check_places(path + "at", load.at, constants);
       }
     for (const InteractionParameters &interaction : interactions)
       {
@@ -411,7 +438,7 @@ namespace Setae
         check_energy(interaction, dynamics);
       }
 
-    dynamics.check(fibers);
+    dynamics.check(copies);
 
     const LoadSteppingParameters &steps = load_stepping;
     require(steps.end_time > 0.,
@@ -436,13 +463,13 @@ namespace Setae
             "load stepping/growth",
             steps.growth,
             "at least 1");
-    require(newton.residual_tolerance > 0.,
-            "newton/residual tolerance",
-            newton.residual_tolerance,
+    require(newton.relative_residual_tolerance > 0.,
+            "newton/relative residual tolerance",
+            newton.relative_residual_tolerance,
             "positive");
-    require(newton.increment_tolerance > 0.,
-            "newton/increment tolerance",
-            newton.increment_tolerance,
+    require(newton.relative_increment_tolerance > 0.,
+            "newton/relative increment tolerance",
+            newton.relative_increment_tolerance,
             "positive");
     require(full_quadrature.tolerance > 0.,
             "full 6D quadrature/tolerance",

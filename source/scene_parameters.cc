@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 The Setae authors
 
-#include <deal.II/base/parameter_handler.h>
-
+#include <setae/base/entries.h>
 #include <setae/base/entry_patterns.h>
+#include <setae/base/exceptions.h>
 #include <setae/beams/all.h>
 #include <setae/scene.h>
+
+#include <algorithm>
 
 namespace Setae
 {
@@ -14,24 +16,89 @@ namespace Setae
 
 
 
+  std::vector<Constants>
+  FiberParameters::copy_indices() const
+  {
+    std::array<unsigned int, 3> n = {{1, 1, 1}};
+    std::copy(copies.begin(), copies.end(), n.begin());
+
+    std::vector<Constants> result;
+    for (unsigned int i = 0; i < n[0]; ++i)
+      for (unsigned int j = 0; j < n[1]; ++j)
+        for (unsigned int k = 0; k < n[2]; ++k)
+          result.push_back(
+            {{"i", double(i)}, {"j", double(j)}, {"k", double(k)}});
+    return result;
+  }
+
+
+
+  FiberParameters
+  FiberParameters::of_copy(const Constants &constants,
+                           const Constants &copy) const
+  {
+    FiberParameters result = *this;
+    if (std::none_of(texts.begin(), texts.end(), [](const auto &number) {
+          return depends_on_copy(number.second);
+        }))
+      return result;
+
+    Entries prm;
+    prm.constants = with_copy(constants, copy);
+    result.add_parameters(prm);
+    for (const auto &[entry, text] : texts)
+      try
+        {
+          prm.set(entry, text);
+        }
+      catch (const ParameterHandler::ExcValueDoesNotMatchPattern &)
+        {
+          AssertThrow(
+            false,
+            ExcParameter("fibers/" + name + "/" + entry,
+                         text,
+                         "a number that is allowed in every copy, "
+                         "but is not for i = " +
+                           std::to_string(int(copy.at("i"))) +
+                           ", j = " + std::to_string(int(copy.at("j"))) +
+                           ", k = " + std::to_string(int(copy.at("k")))));
+        }
+    return result;
+  }
+
+
+
   void
-  FiberParameters::add_parameters(ParameterHandler &prm)
+  FiberParameters::add_parameters(Entries &prm)
   {
     prm.add_parameter("centerline",
                       centerline,
                       "The initial centerline x; y; z [length] as formulas of "
                       "s in [0, length] and of the numbers i, j, k of the copy "
                       "(from 0). Any regular parameter s will do; derivatives "
-                      "are taken numerically.",
+                      "are taken numerically, from values within that range. A "
+                      "curve that comes back to its start in the direction in "
+                      "which it began is a ring.",
                       Patterns::Anything());
     prm.add_parameter("mesh file",
                       mesh_file,
-                      "A mesh of lines in space to read the centerlines from, "
-                      "in a format that deal.II's GridIn knows by its "
-                      "extension (msh, vtk, inp, ...). Each connected chain of "
-                      "lines becomes a fiber; 'centerline', 'length', 'cells' "
-                      "and 'copies' are then not used.",
+                      "A mesh of lines in space to read the centerlines from: "
+                      "a legacy VTK file in ASCII with lines or polylines, or "
+                      "a format that deal.II's GridIn knows by its extension "
+                      "(msh, inp, ...). A relative path starts from the folder "
+                      "of the scene, or else from the working directory. Each "
+                      "connected chain of lines becomes a fiber, with its "
+                      "number from 0 as i; nodes at the same place are joined. "
+                      "'centerline', 'length', 'cells' and 'copies' are then "
+                      "not used.",
                       Patterns::Anything());
+    prm.add_parameter("largest kink",
+                      largest_kink,
+                      "For a mesh file: the largest change of direction from "
+                      "one line to the next, beyond that at the neighbouring "
+                      "nodes, that is smoothed [degrees]. More is refused as a "
+                      "kink, as is any change by more than 60 degrees.",
+                      Patterns::Double(0., 180.));
     prm.add_parameter("copies",
                       copies,
                       "The size of an array of equal fibers, up to three "
@@ -91,16 +158,22 @@ namespace Setae
 
 
   void
-  SupportParameters::add_parameters(ParameterHandler &prm)
+  SupportParameters::add_parameters(Entries &prm)
   {
     prm.add_parameter("fibers",
                       fibers,
                       "The fibers that are supported, by name, or 'all'.",
                       names());
+    prm.add_parameter("copies",
+                      copies,
+                      "Which copies of an array, or chains of a mesh file, of "
+                      "these fibers: 'all', or a condition in their numbers "
+                      "i, j, k such as 'i == 0 && j < 3'.",
+                      Patterns::Anything());
     prm.add_parameter("at",
                       at,
-                      "Where: 'start', 'end', 'all' (every node) or an arc "
-                      "length s at which there is a node [length].",
+                      "Where: 'start', 'end', 'all' (every node) or a formula "
+                      "for the arc length s of a node [length].",
                       names());
     prm.add_parameter("displacement",
                       displacement,
@@ -127,36 +200,44 @@ namespace Setae
 
 
   void
-  LoadParameters::add_parameters(ParameterHandler &prm)
+  LoadParameters::add_parameters(Entries &prm)
   {
     prm.add_parameter("fibers",
                       fibers,
                       "The fibers that are loaded, by name, or 'all'.",
                       names());
+    prm.add_parameter("copies",
+                      copies,
+                      "Which copies of an array, or chains of a mesh file, of "
+                      "these fibers: 'all', or a condition in their numbers "
+                      "i, j, k such as 'i == 0 && j < 3'.",
+                      Patterns::Anything());
     prm.add_parameter("at",
                       at,
-                      "Where: 'start', 'end' or an arc length s for a point "
-                      "load, 'all' for a line load.",
+                      "Where: 'start', 'end' or a formula for an arc length s "
+                      "for a point load, 'all' for a line load.",
                       names());
     prm.add_parameter(
       "force",
       force,
-      "A dead load x; y; z as formulas of s and t: a force at a "
-      "point [force], or per initial length [force/length].",
+      "A dead load x; y; z as formulas of s, t and of the numbers i, j, k of "
+      "the copy: a force at a point [force], or per initial length "
+      "[force/length].",
       Patterns::Anything());
-    prm.add_parameter("moment",
-                      moment,
-                      "A moment x; y; z about axes fixed in space, as formulas "
-                      "of s and t, at a point [force length] or per initial "
-                      "length [force]. Its part along the tangent does no work "
-                      "on a fiber without torsion.",
-                      Patterns::Anything());
+    prm.add_parameter(
+      "moment",
+      moment,
+      "A moment x; y; z about axes fixed in space, as formulas "
+      "of s, t, i, j, k, at a point [force length] or per initial "
+      "length [force]. Its part along the tangent does no work "
+      "on a fiber without torsion.",
+      Patterns::Anything());
   }
 
 
 
   void
-  LoadSteppingParameters::add_parameters(ParameterHandler &prm)
+  LoadSteppingParameters::add_parameters(Entries &prm)
   {
     prm.add_parameter("end time",
                       end_time,
@@ -207,16 +288,32 @@ namespace Setae
 
 
   void
-  NewtonParameters::add_parameters(ParameterHandler &prm)
+  NewtonParameters::add_parameters(Entries &prm)
   {
+    prm.add_parameter("relative residual tolerance",
+                      relative_residual_tolerance,
+                      "Largest norm of the residual relative to the forces of "
+                      "all cells and pairs, and to what bends the softest "
+                      "fiber, EI/length^2; positive. Where round-off of stiff "
+                      "fibers leaves more, that counts.",
+                      non_negative());
+    prm.add_parameter("relative increment tolerance",
+                      relative_increment_tolerance,
+                      "Largest norm of the last increment relative to the "
+                      "smallest radius; positive.",
+                      non_negative());
     prm.add_parameter("residual tolerance",
                       residual_tolerance,
-                      "Largest Euclidean norm of the residual [force]; where "
-                      "round-off of stiff fibers leaves more, that counts.",
+                      "Instead of the relative one, the largest Euclidean norm "
+                      "of the residual, moments being divided by the length of "
+                      "their cell [force]; 0 takes the relative one.",
                       non_negative());
     prm.add_parameter("increment tolerance",
                       increment_tolerance,
-                      "Largest Euclidean norm of the last increment.",
+                      "Instead of the relative one, the largest Euclidean norm "
+                      "of the last increment, changes of tangents being "
+                      "multiplied by the length of their cell [length]; 0 "
+                      "takes the relative one.",
                       non_negative());
     prm.add_parameter("iterations",
                       max_n_iterations,
@@ -239,7 +336,7 @@ namespace Setae
 
 
   void
-  OutputParameters::add_parameters(ParameterHandler &prm)
+  OutputParameters::add_parameters(Entries &prm)
   {
     prm.add_parameter("directory",
                       directory,
@@ -263,7 +360,7 @@ namespace Setae
 
 
   void
-  FullQuadratureParameters::add_parameters(ParameterHandler &prm)
+  FullQuadratureParameters::add_parameters(Entries &prm)
   {
     prm.add_parameter(
       "tolerance",

@@ -9,13 +9,10 @@
 #include <string>
 #include <vector>
 
-namespace dealii
-{
-  class ParameterHandler;
-}
-
 namespace Setae
 {
+  class Entries;
+
   /** One named subsection: a fiber, or an array of equal ones. */
   struct FiberParameters
   {
@@ -33,9 +30,25 @@ namespace Setae
     double                    density          = 0.;
     std::string               initial_velocity = "0; 0; 0";
     std::string               beam;
+    double                    largest_kink = 10.;
+
+    /** The numbers i, j, k of each copy, i running slowest. */
+    std::vector<Constants>
+    copy_indices() const;
+
+    /**
+     * The parameters of one copy, whose numbers may be formulas of its i, j, k.
+     *
+     * @throws ExcParameter if a number of the copy cannot be used.
+     */
+    FiberParameters
+    of_copy(const Constants &constants, const Constants &copy) const;
+
+    /** The numbers of the section as they are written. */
+    std::map<std::string, std::string> texts;
 
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(Entries &prm);
   };
 
 
@@ -45,13 +58,14 @@ namespace Setae
   {
     std::string              name;
     std::vector<std::string> fibers            = {"all"};
+    std::string              copies            = "all";
     std::vector<std::string> at                = {"start"};
     std::string              displacement      = "free; free; free";
     std::string              tangent           = "free; free; free";
     std::string              tangent_direction = "free";
 
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(Entries &prm);
   };
 
 
@@ -61,12 +75,13 @@ namespace Setae
   {
     std::string              name;
     std::vector<std::string> fibers = {"all"};
+    std::string              copies = "all";
     std::vector<std::string> at     = {"end"};
     std::string              force  = "0; 0; 0";
     std::string              moment = "0; 0; 0";
 
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(Entries &prm);
   };
 
 
@@ -105,8 +120,15 @@ namespace Setae
     std::vector<unsigned int> section_points        = {4, 9};
     double                    law_tolerance         = 5e-4;
 
+    /** Whether the forces are the derivatives of the energy. */
+    bool
+    has_potential() const
+    {
+      return interaction_moments && cutoff_of == "energy";
+    }
+
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(Entries &prm);
   };
 
 
@@ -124,7 +146,7 @@ namespace Setae
     bool         pass_instabilities     = true;
 
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(Entries &prm);
   };
 
 
@@ -140,6 +162,7 @@ namespace Setae
     double       smallest_step        = 0.;
     double       largest_displacement = 0.;
     double       energy_tolerance     = 0.;
+    double       largest_energy_gain  = 1e-3;
     double       rho_infinity         = .9;
     double       damping              = 0.;
     unsigned int max_order            = 2;
@@ -156,7 +179,7 @@ namespace Setae
     check(const std::vector<FiberParameters> &fibers) const;
 
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(Entries &prm);
   };
 
 
@@ -164,15 +187,17 @@ namespace Setae
   /** How the equilibrium of one load step is found. */
   struct NewtonParameters
   {
-    double       residual_tolerance  = 1e-7;
-    double       increment_tolerance = 1e-8;
-    unsigned int max_n_iterations    = 30;
-    double       largest_increment   = 0.;
-    std::string  linear_solver       = "Amesos_Klu";
-    bool         log_iterations      = false;
+    double       relative_residual_tolerance  = 1e-7;
+    double       relative_increment_tolerance = 1e-7;
+    double       residual_tolerance           = 0.;
+    double       increment_tolerance          = 0.;
+    unsigned int max_n_iterations             = 30;
+    double       largest_increment            = 0.;
+    std::string  linear_solver                = "Amesos_Klu";
+    bool         log_iterations               = false;
 
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(Entries &prm);
   };
 
 
@@ -186,7 +211,7 @@ namespace Setae
     bool         fields         = true;
 
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(Entries &prm);
   };
 
 
@@ -201,7 +226,7 @@ namespace Setae
     double       max_n_cells  = 1e6;
 
     void
-    add_parameters(dealii::ParameterHandler &prm);
+    add_parameters(Entries &prm);
   };
 
 
@@ -213,7 +238,6 @@ namespace Setae
   {
     std::string title;
     std::string coordinates = "x, y, z";
-    std::string constants_text;
     Constants   constants;
 
     std::vector<FiberParameters>       fibers;
@@ -236,6 +260,10 @@ namespace Setae
     void
     check() const;
 
+    /** Those of every fiber whose parameters can differ from another's. */
+    std::vector<FiberParameters>
+    parameters_of_copies() const;
+
     /** Whether fibers may overlap a little because a contact force acts. */
     bool
     has_contact() const;
@@ -254,7 +282,7 @@ namespace Setae
     /**
      * Read a scene.
      *
-     * @param text The contents of a .prm file.
+     * @param file_text The contents of a .prm file.
      * @param file_name Its name, for messages and for the default directory.
      * @param overrides "section/name=value", applied after the file.
      *
@@ -262,7 +290,7 @@ namespace Setae
      * cannot be used.
      */
     static Scene
-    read(const std::string              &text,
+    read(const std::string              &file_text,
          const std::string              &file_name,
          const std::vector<std::string> &overrides = {});
 

@@ -36,7 +36,7 @@ namespace Setae
       {
         const Fiber &fiber = fibers.fibers[f];
         chains.push_back({fiber.first_cell, fiber.n_cells});
-        const FiberParameters &section = fibers.scene.fibers[fiber.parameters];
+        const FiberParameters &section = fibers.parameters[f];
         const SectionPair sections = section_pair(parameters, section, section);
         charge_per_length.push_back(points_per_length(sections.radius_1,
                                                       sections.density_1,

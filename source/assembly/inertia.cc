@@ -5,7 +5,7 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <setae/assembly/inertia.h>
-#include <setae/base/differentiate.h>
+#include <setae/base/derivative.h>
 #include <setae/fibers/cross_section.h>
 
 namespace Setae
@@ -146,34 +146,35 @@ namespace Setae
     Vector result(fibers.owned_dofs, fibers.communicator);
     for (unsigned int f = 0; f < fibers.fibers.size(); ++f)
       {
-        const Fiber           &fiber = fibers.fibers[f];
-        const FiberParameters &parameters =
-          fibers.scene.fibers[fiber.parameters];
-        Constants constants = fibers.scene.constants;
-        constants.insert(fiber.copy.begin(), fiber.copy.end());
+        const Fiber           &fiber      = fibers.fibers[f];
+        const FiberParameters &parameters = fibers.parameters[f];
         const VectorExpression velocity("fibers/" + parameters.name +
                                           "/initial velocity",
                                         parameters.initial_velocity,
                                         "s",
-                                        constants);
+                                        with_copy(fibers.scene.constants,
+                                                  fiber.copy));
         const unsigned int     n_nodes = fiber.n_cells + (fiber.closed ? 0 : 1);
-        const double           spacing = 1e-3 * fiber.arc_length.back();
+        const std::vector<double> &s   = fiber.arc_length;
         for (unsigned int node = 0; node < n_nodes; ++node)
-          for (unsigned int c = 0; c < 3; ++c)
-            {
-              const auto values =
-                differentiate([&](const double s) { return velocity(s)[c]; },
-                              fiber.arc_length[node],
-                              spacing,
-                              0.);
-              for (const unsigned int order : {0, 1})
+          {
+            const Tensor<1, 3> values[] = {
+              velocity(s[node]),
+              differentiate_within([&](const double x) { return velocity(x); },
+                                   s[node],
+                                   0.,
+                                   s.back(),
+                                   s.back() / fiber.n_cells)
+                .mean()};
+            for (const unsigned int order : {0, 1})
+              for (unsigned int c = 0; c < 3; ++c)
                 {
                   const auto dof = fibers.node_dof(f, node, order == 1, c);
                   if (dof != numbers::invalid_dof_index &&
                       fibers.owned_dofs.is_element(dof))
-                    result(dof) = values[order];
+                    result(dof) = values[order][c];
                 }
-            }
+          }
       }
     result.compress(VectorOperation::insert);
     return result;

@@ -29,22 +29,33 @@ namespace Setae
   Load::Load(const FiberSystem &fibers, const LoadParameters &parameters)
     : fibers(fibers)
     , parameters(parameters)
-    , force("loads/" + parameters.name + "/force",
-            parameters.force,
-            "s,t",
-            fibers.scene.constants)
-    , moment("loads/" + parameters.name + "/moment",
-             parameters.moment,
-             "s,t",
-             fibers.scene.constants)
     , has_moment(is_given(parameters.moment))
   {
-    for (const unsigned int fiber : fibers.select(parameters.fibers))
-      for (const std::string &place : parameters.at)
-        if (place == "all")
-          collect_line(fiber);
-        else
-          collect_point(fiber, place);
+    const std::string path = "loads/" + parameters.name + "/";
+    const bool        is_common =
+      !depends_on_copy(parameters.force + parameters.moment);
+    for (const unsigned int fiber :
+         fibers.select(parameters.fibers, parameters.copies, path + "copies"))
+      {
+        if (forces.empty() || !is_common)
+          {
+            const Constants constants =
+              with_copy(fibers.scene.constants, fibers.fibers[fiber].copy);
+            forces.emplace_back(path + "force",
+                                parameters.force,
+                                "s,t",
+                                constants);
+            moments.emplace_back(path + "moment",
+                                 parameters.moment,
+                                 "s,t",
+                                 constants);
+          }
+        for (const std::string &place : parameters.at)
+          if (place == "all")
+            collect_line(fiber);
+          else
+            collect_point(fiber, place);
+      }
     std::sort(sites.begin(), sites.end(), [](const Site &a, const Site &b) {
       return a.cell < b.cell;
     });
@@ -69,7 +80,8 @@ namespace Setae
               {cell,
                x,
                f.arc_length[i] + x * (f.arc_length[i + 1] - f.arc_length[i]),
-               rule.weight(q) * fibers.initial[cell].derivative(x).norm()});
+               rule.weight(q) * fibers.initial[cell].derivative(x).norm(),
+               static_cast<unsigned int>(forces.size() - 1)});
         }
   }
 
@@ -79,9 +91,14 @@ namespace Setae
   Load::collect_point(const unsigned int fiber, const std::string &place)
   {
     const double end = fibers.fibers[fiber].arc_length.back();
-    const double s   = place == "start" ? 0. :
-                       place == "end"   ? end :
-                                          Utilities::string_to_double(place);
+    const double s =
+      place == "start" ? 0. :
+      place == "end"   ? end :
+                         Expression("loads/" + parameters.name + "/at",
+                                  place,
+                                  "",
+                                  with_copy(fibers.scene.constants,
+                                            fibers.fibers[fiber].copy))();
     AssertThrow(s <= end * (1. + 1e-12),
                 ExcParameter("loads/" + parameters.name + "/at",
                              place,
@@ -92,7 +109,8 @@ namespace Setae
     if (std::binary_search(fibers.owned_cells.begin(),
                            fibers.owned_cells.end(),
                            cell))
-      sites.push_back({cell, x, s, 1.});
+      sites.push_back(
+        {cell, x, s, 1., static_cast<unsigned int>(forces.size() - 1)});
   }
 
 
@@ -136,9 +154,11 @@ namespace Setae
         const HermiteCell<> &cell = state.current[site.cell];
         const Tensor<1, 3>   u = state.displacement[site.cell].position(site.x);
         const Tensor<1, 3>   a = cell.derivative(site.x);
-        const Tensor<1, 3>   f = force(site.arc_length, state.time);
-        const Tensor<1, 3>   m = moment(site.arc_length, state.time);
-        const Tensor<1, 3>   on_a = cross_product_3d(m, a) / (a * a);
+        const Tensor<1, 3>   f =
+          forces[site.formula](site.arc_length, state.time);
+        const Tensor<1, 3> m =
+          moments[site.formula](site.arc_length, state.time);
+        const Tensor<1, 3> on_a = cross_product_3d(m, a) / (a * a);
         for (unsigned int c = 0; c < 3; ++c)
           {
             work.push_back({-site.weight * u[c], f[c]});
@@ -158,8 +178,10 @@ namespace Setae
     const HermiteCell<> &cell = state.current[site.cell];
     const auto           N    = Hermite::shape_values(site.x, cell.h);
     const auto           N_x  = Hermite::shape_derivatives(site.x, cell.h);
-    const Tensor<1, 3>   f = site.weight * force(site.arc_length, state.time);
-    const Tensor<1, 3>   m = site.weight * moment(site.arc_length, state.time);
+    const Tensor<1, 3>   f =
+      site.weight * forces[site.formula](site.arc_length, state.time);
+    const Tensor<1, 3> m =
+      site.weight * moments[site.formula](site.arc_length, state.time);
 
     // The force on r,x: p = m x a / A with A = a.a, and its derivative.
     const Tensor<1, 3> a       = cell.combine(N_x);

@@ -19,7 +19,8 @@ namespace Setae
     std::vector<unsigned int>
     nodes_at(const Fiber       &fiber,
              const std::string &place,
-             const std::string &parameter)
+             const std::string &parameter,
+             const Constants   &constants)
     {
       const unsigned int n_nodes = fiber.n_cells + (fiber.closed ? 0 : 1);
       std::vector<unsigned int> nodes;
@@ -29,11 +30,14 @@ namespace Setae
       else if (place == "start")
         nodes.push_back(0);
       else if (place == "end")
-        nodes.push_back(n_nodes - 1);
+        nodes.push_back(fiber.n_cells % n_nodes); // of a ring, its start
       else
         {
           const auto  &s     = fiber.arc_length;
-          const double value = Utilities::string_to_double(place);
+          const double value = Expression(parameter,
+                                          place,
+                                          "",
+                                          with_copy(constants, fiber.copy))();
           const auto   nearest =
             std::min_element(s.begin(),
                              s.begin() + n_nodes,
@@ -84,8 +88,7 @@ namespace Setae
                                text,
                                "three times 'free' or a formula, separated by "
                                                "';'"));
-      Constants constants = fibers.scene.constants;
-      constants.insert(copy.begin(), copy.end());
+      const Constants constants = with_copy(fibers.scene.constants, copy);
       std::array<const Expression *, 3> result = {};
       for (unsigned int c = 0; c < 3; ++c)
         if (parts[c] != "free")
@@ -104,7 +107,8 @@ namespace Setae
       return result;
     };
 
-    for (const unsigned int f : fibers.select(support.fibers))
+    for (const unsigned int f :
+         fibers.select(support.fibers, support.copies, path + "copies"))
       {
         const Fiber &fiber = fibers.fibers[f];
         const auto   displacement =
@@ -112,7 +116,8 @@ namespace Setae
         const auto tangent   = parse("tangent", support.tangent, fiber.copy);
         const auto direction = parse_direction(index, fiber);
         for (const std::string &place : support.at)
-          for (const unsigned int node : nodes_at(fiber, place, path + "at"))
+          for (const unsigned int node :
+               nodes_at(fiber, place, path + "at", fibers.scene.constants))
             {
               prescribe_node(index, f, node, false, displacement);
               prescribe_node(index, f, node, true, tangent);

@@ -8,9 +8,12 @@
 #include <setae/base/expression.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <iomanip>
 #include <iostream>
 #include <set>
+#include <sstream>
 
 namespace Setae
 {
@@ -32,6 +35,86 @@ namespace Setae
       return {{Expression(parameter, parts[0], variables, constants),
                Expression(parameter, parts[1], variables, constants),
                Expression(parameter, parts[2], variables, constants)}};
+    }
+
+
+    /** A number as it is shown in messages. */
+    std::string
+    as_text(const double value)
+    {
+      std::ostringstream text;
+      text << std::setprecision(12) << (std::isnan(value) ? NAN : value);
+      return text.str();
+    }
+
+    bool
+    is_part_of_name(const char c)
+    {
+      return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+    }
+
+    /** All names in a formula; parts of numbers such as 'e' are no names. */
+    std::vector<std::string>
+    names_in(const std::string &text)
+    {
+      std::vector<std::string> names;
+      std::string              word;
+      for (const char c : text + ' ')
+        if (is_part_of_name(c) || (c == '.' && !word.empty()))
+          word += c;
+        else
+          {
+            if (!word.empty() &&
+                !std::isdigit(static_cast<unsigned char>(word[0])))
+              names.push_back(word);
+            word.clear();
+          }
+      return names;
+    }
+
+    /**
+     * muParser takes '0,04*s' for two formulas and returns the last one: commas
+     * may stand only between the arguments of a function.
+     */
+    void
+    check_commas(const std::string &parameter, const std::string &text)
+    {
+      std::vector<bool> is_call; // of each parenthesis that is open
+      char              previous = ' ';
+      for (const char c : text)
+        {
+          if (c == '(')
+            is_call.push_back(is_part_of_name(previous));
+          else if (c == ')' && !is_call.empty())
+            is_call.pop_back();
+          AssertThrow(c != ',' || (!is_call.empty() && is_call.back()),
+                      ExcParameter(parameter,
+                                   text,
+                                   "a formula without a comma outside a "
+                                   "function call; decimals are written with "
+                                   "a point"));
+          if (c != ' ' && c != '\t')
+            previous = c;
+        }
+    }
+
+    /** muParser takes 'if(t=0.5,1,2)' for an assignment to t. */
+    void
+    check_assignments(const std::string &parameter, const std::string &text)
+    {
+      const std::string before = "=<>!";
+      for (std::size_t i = text.find('='); i != std::string::npos;
+           i             = text.find('=', i + 1))
+        {
+                      const bool is_comparison =
+                        (i > 0 && before.find(text[i - 1]) != std::string::npos) ||
+                        (i + 1 < text.size() && text[i + 1] == '=');
+                      AssertThrow(is_comparison,
+                      ExcParameter(parameter,
+                                   text,
+                                   "a formula without '=', which assigns; "
+                                               "'==' compares"));
+        }
     }
 
 
@@ -58,22 +141,75 @@ namespace Setae
 
 
 
+  std::vector<std::string>
+  split_at_commas(const std::string &text)
+  {
+    std::vector<std::string> parts(1);
+    int                      depth = 0;
+    for (const char c : text)
+      {
+        depth += (c == '(') - (c == ')');
+        if (c == ',' && depth == 0)
+          parts.emplace_back();
+        else
+          parts.back() += c;
+      }
+    for (std::string &part : parts)
+      part = Utilities::trim(part);
+    return parts;
+  }
+
+
+
+  bool
+  depends_on_copy(const std::string &text)
+  {
+    for (const std::string &name : names_in(text))
+      if (name == "i" || name == "j" || name == "k")
+        return true;
+    return false;
+  }
+
+
+
+  Constants
+  with_copy(Constants constants, const Constants &copy)
+  {
+    constants.insert(copy.begin(), copy.end());
+    return constants;
+  }
+
+
+
   Constants
   parse_constants(const std::string &parameter, const std::string &text)
   {
     Constants constants;
-    for (const std::string &entry : Utilities::split_string_list(text, ','))
+    if (Utilities::trim(text).empty())
+      return constants;
+    for (const std::string &entry : split_at_commas(text))
       {
-        const auto sides = Utilities::split_string_list(entry, '=');
+        const auto        equal = entry.find('=');
+        const std::string name  = Utilities::trim(entry.substr(0, equal));
         const std::set<std::string> reserved = {
           "", "s", "t", "i", "j", "k", "pi"};
-        AssertThrow(sides.size() == 2 && reserved.count(sides[0]) == 0,
+        AssertThrow(equal != std::string::npos && reserved.count(name) == 0 &&
+                      !std::isdigit(static_cast<unsigned char>(name[0])) &&
+                      std::all_of(name.begin(), name.end(), is_part_of_name),
                     ExcParameter(parameter,
                                  text,
                                  "a list 'name = value, ...' with names other "
-                                 "than s, t, i, j, k, pi"));
-        constants[sides[0]] =
-          Expression(parameter, sides[1], "unused", constants)(0.);
+                                 "than s, t, i, j, k, pi, but has '" +
+                                   entry + "'"));
+        const double value = Expression(
+          parameter, Utilities::trim(entry.substr(equal + 1)), "", constants)();
+        AssertThrow(constants.emplace(name, value).second,
+                    ExcParameter(parameter,
+                                 text,
+                                 "a list of different names, but has '" + name +
+                                   "' twice"));
+        // A name that muParser does not take makes every formula invalid.
+        Expression(parameter, name, "", constants);
       }
     return constants;
   }
@@ -86,24 +222,31 @@ namespace Setae
                          const Constants   &constants)
     : parameter(parameter)
     , text(text)
+    , variables(Utilities::split_string_list(variables))
     , parser(std::make_unique<FunctionParser<2>>(1))
   {
-    const bool has_two =
-      std::count(variables.begin(), variables.end(), ',') == 1;
+    check_commas(parameter, text);
+    check_assignments(parameter, text);
+
     Constants all = constants;
     all.emplace("pi", numbers::PI);
+    for (const std::string name : {"i", "j", "k"})
+      if (constants.count(name) > 0)
+        copy += ", " + name + " = " + as_text(constants.at(name));
+
+    std::string both = variables;
+    for (unsigned int i = this->variables.size(); i < 2; ++i)
+      both += (both.empty() ? "" : ",") + ("unused_" + std::to_string(i));
     try
       {
         const SilentErrors silence;
-        parser->initialize(has_two ? variables : variables + ",unused_2",
-                           text,
-                           all);
+        parser->initialize(both, text, all);
         // muParser looks at a formula when it is evaluated first.
         parser->value(Point<2>());
       }
     catch (...) // muParser's own exception is no std::exception
       {
-        std::string names = variables == "unused" ? "" : variables;
+        std::string names = variables;
         for (const auto &[name, value] : all)
           names += (names.empty() ? "" : ", ") + name;
         AssertThrow(false,
@@ -128,9 +271,22 @@ namespace Setae
     AssertThrow(std::isfinite(value),
                 ExcParameter(parameter,
                              text,
-                             "a formula with finite values, but is not at " +
-                               Utilities::to_string(first)));
+                             "a formula with finite values, but is " +
+                               as_text(value) + place(first, second)));
     return value;
+  }
+
+
+
+  std::string
+  Expression::place(const double first, const double second) const
+  {
+    std::string  result;
+    const double values[] = {first, second};
+    for (unsigned int i = 0; i < variables.size(); ++i)
+      result += ", " + variables[i] + " = " + as_text(values[i]);
+    result += copy;
+    return result.empty() ? "" : " at " + result.substr(2);
   }
 
 

@@ -11,6 +11,7 @@
 #include <setae/fibers/fiber_system.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace Setae
 {
@@ -55,18 +56,19 @@ namespace Setae
     std::vector<CellData<1>> cells;
     for (unsigned int p = 0; p < scene.fibers.size(); ++p)
       {
-        const FiberParameters        &parameters = scene.fibers[p];
+        const FiberParameters        &section = scene.fibers[p];
         const std::vector<Centerline> lines =
-          make_centerlines(parameters, scene.constants);
+          make_centerlines(section, scene.constants, notices);
         for (unsigned int l = 0; l < lines.size(); ++l)
           {
             const Centerline &line = lines[l];
-            if (parameters.beam != Rigid::name)
-              check_curvature(line,
-                              "fibers/" + parameters.name + "/centerline");
+            if (section.beam != Rigid::name)
+              check_curvature(line, "fibers/" + section.name + "/centerline");
+            parameters.push_back(section.of_copy(scene.constants, line.copy));
+            check_distance(line, parameters.back());
 
             Fiber              fiber{p,
-                        parameters.name +
+                        section.name +
                           (lines.size() > 1 ? " " + std::to_string(l) : ""),
                         line.copy,
                         static_cast<unsigned int>(initial.size()),
@@ -84,6 +86,12 @@ namespace Setae
                                      "' has a cell of length zero."));
                 fiber.arc_length.push_back(fiber.arc_length.back() +
                                            arc_length(initial.back()));
+
+                // Formulas of s need not be asked beyond the end by round-off.
+                if (i + 1 < line.parameters.size() &&
+                    std::abs(fiber.arc_length.back() - line.parameters[i + 1]) <
+                      1e-12 * line.parameters.back())
+                  fiber.arc_length.back() = line.parameters[i + 1];
                 CellData<1> cell;
                 cell.vertices[0] = first_vertex + i;
                 cell.vertices[1] =
@@ -150,10 +158,49 @@ namespace Setae
                              "(set 'coordinates' to two of x, y, z)"));
     const unsigned int off = 3 - active[0] - active[1];
     for (unsigned int i = 0; i < line.positions.size(); ++i)
-      AssertThrow(std::abs(line.tangents[i][off]) < 1e-10,
+      AssertThrow(std::abs(line.tangents[i][off]) < line.tangent_tolerance(),
                   ExcParameter(parameter,
                                "curved out of the plane",
                                "in the plane of the active coordinates"));
+  }
+
+
+
+  void
+  FiberSystem::check_distance(const Centerline      &line,
+                              const FiberParameters &fiber) const
+  {
+    // A millionth of a gap changes the forces of steep laws by about 1e-5.
+    constexpr double largest = 1e-6;
+
+    const auto check = [&](const std::string &parameter, const double length) {
+      if (length <= 0.)
+        return;
+      const double epsilon = std::numeric_limits<double>::epsilon();
+      for (const Tensor<1, 3> &x : line.positions)
+        {
+          std::ostringstream place, allowed;
+          place << x[0] << "; " << x[1] << "; " << x[2];
+          allowed << "within " << largest * length / epsilon
+                  << " of the origin, since coordinates of that size are "
+                     "rounded by "
+                  << largest << " of '" << parameter << "', " << length;
+          AssertThrow(x.norm() * epsilon <= largest * length,
+                      ExcParameter("fibers/" + fiber.name + "/" +
+                                     (fiber.mesh_file.empty() ? "centerline" :
+                                                                "mesh file"),
+                                   place.str(),
+                                   allowed.str()));
+        }
+    };
+    check("fibers/" + fiber.name + "/radius", fiber.radius);
+    for (const InteractionParameters &interaction : scene.interactions)
+      {
+        const std::string path = "interactions/" + interaction.name + "/";
+        check(path + "equilibrium gap", interaction.equilibrium_gap);
+        check(path + "regularization gap", interaction.regularization);
+        check(path + "cutoff", interaction.cutoff);
+      }
   }
 
 
@@ -203,11 +250,34 @@ namespace Setae
     std::vector<unsigned int> result;
     for (unsigned int f = 0; f < fibers.size(); ++f)
       for (const std::string &name : names)
-        if (name == "all" || name == scene.fibers[fibers[f].parameters].name)
+        if (name == "all" || name == scene.fibers[fibers[f].section].name)
           {
             result.push_back(f);
             break;
           }
+    return result;
+  }
+
+
+
+  std::vector<unsigned int>
+  FiberSystem::select(const std::vector<std::string> &names,
+                      const std::string              &copies,
+                      const std::string              &parameter) const
+  {
+    std::vector<unsigned int> result;
+    for (const unsigned int f : select(names))
+      if (copies == "all" ||
+          Expression(parameter,
+                     copies,
+                     "",
+                     with_copy(scene.constants, fibers[f].copy))() != 0.)
+        result.push_back(f);
+    AssertThrow(!result.empty(),
+                ExcParameter(parameter,
+                             copies,
+                             "'all' or a condition in i, j, k that holds for "
+                             "at least one of the fibers"));
     return result;
   }
 

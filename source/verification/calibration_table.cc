@@ -94,13 +94,14 @@ namespace Setae
               const double  angle,
               std::ostream &out)
     {
+      const std::vector<FiberParameters> copies = scene.parameters_of_copies();
       for (const InteractionParameters &interaction : scene.interactions)
         {
           if (interaction.penalty > 0.)
             continue;
           std::set<std::tuple<double, double, double, double>> seen;
-          for (const FiberParameters &source : scene.fibers)
-            for (const FiberParameters &target : scene.fibers)
+          for (const FiberParameters &source : copies)
+            for (const FiberParameters &target : copies)
               {
                 const SectionPair pair =
                   section_pair(interaction, source, target);

@@ -87,7 +87,7 @@ namespace Setae
       };
       return FiberChart(part(fibers.initial),
                         part(state.current),
-                        fibers.scene.fibers[f.parameters].radius);
+                        fibers.parameters[fiber].radius);
     }
 
 
@@ -100,10 +100,9 @@ namespace Setae
               const std::pair<unsigned int, unsigned int> &pair)
     {
       const auto &[first, second] = pair;
-      const SectionPair sections =
-        section_pair(parameters,
-                     fibers.scene.fibers[fibers.fibers[first].parameters],
-                     fibers.scene.fibers[fibers.fibers[second].parameters]);
+      const SectionPair sections  = section_pair(parameters,
+                                                fibers.parameters[first],
+                                                fibers.parameters[second]);
       const Expression strength("interactions/" + parameters.name + "/strength",
                                 parameters.strength,
                                 "t",

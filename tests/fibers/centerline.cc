@@ -7,44 +7,19 @@
 #include <setae/fibers/centerline.h>
 
 #include <cmath>
-#include <cstdio>
-#include <fstream>
+
+#include "mesh_file.h"
 
 using namespace Setae;
 
 namespace
 {
-  /** A mesh of lines that is removed at the end. */
-  struct MeshFile
+  struct MeshFile : public TemporaryFile
   {
     MeshFile(const std::vector<Tensor<1, 3>>                  &points,
              const std::vector<std::pair<unsigned, unsigned>> &lines)
-    {
-      std::ofstream file(name);
-      file.precision(17);
-      file << "# vtk DataFile Version 3.0\nlines\nASCII\n"
-           << "DATASET UNSTRUCTURED_GRID\nPOINTS " << points.size()
-           << " double\n";
-      for (const Tensor<1, 3> &p : points)
-        file << p << '\n';
-      file << "CELLS " << lines.size() << ' ' << 3 * lines.size() << '\n';
-      for (const auto &[a, b] : lines)
-        file << "2 " << a << ' ' << b << '\n';
-      file << "CELL_TYPES " << lines.size() << '\n';
-      for (unsigned int i = 0; i < lines.size(); ++i)
-        file << "3\n";
-    }
-
-    ~MeshFile()
-    {
-      std::remove(name.c_str());
-    }
-
-    /** Of its own for each test: tests run at the same time. */
-    const std::string name =
-      std::string(
-        testing::UnitTest::GetInstance()->current_test_info()->name()) +
-      ".vtk";
+      : TemporaryFile(vtk_lines(points, lines), ".vtk")
+    {}
   };
 
   Tensor<1, 3>

@@ -22,6 +22,10 @@ CELL_TYPES 3
 3 3 3
 END
 echo "no mesh" >no_mesh.msh
+sed -e 's/^CELLS 3 9/CELLS 2 6/' -e 's/^2 0 1  2 0 2  2 0 3/2 1 0  2 1 3/' \
+  -e 's/^CELL_TYPES 3/CELL_TYPES 2/' -e 's/^3 3 3/3 3/' \
+  -e 's/^0 0 0  1 0 0  0 1 0  0 -1 0/0 0 0  1 0 0  0 1 0  1 1 0/' \
+  branched.vtk >bent.vtk
 
 # The output directory of the scene, with results.
 mkdir -p results
@@ -75,8 +79,23 @@ fibers/left/centerline|0; s|three formulas
 fibers/left/centerline|0; 1; 0|a curve with a tangent at every s
 fibers/left/centerline|0; s^2; 0|a curve with a tangent at every s
 fibers/left/mesh file|none.msh|a file that exists
-fibers/left/mesh file|no_mesh.msh|a mesh of lines that GridIn can read
-fibers/left/mesh file|branched.vtk|without branches
+fibers/left/mesh file|no_mesh.msh|a mesh of lines that can be read: The string <no> is not recognized
+fibers/left/mesh file|branched.vtk|without branches, but 3 lines meet at node 0 at (0, 0, 0)
+fibers/left/mesh file|bent.vtk|without kinks, but at node 1 at (1, 0, 0) it turns by 90 degrees
+fibers/left/largest kink|-1|Double 0...180
+fibers/left/cells|l/2|Integer
+fibers/left/radius|-l|Double 0
+fibers/left/radius|0,02|Double 0
+fibers/left/radius|R|or a formula
+fibers/left/radius|i - 1|Double 0
+fibers/left/copies|1 + i|the same for all
+fibers/left/centerline|0; if(s < 2.5, s, 2.5); if(s < 2.5, 0, s - 2.5)|turns by 90 degrees at s = 2.5, (0, 2.5, 0)
+fibers/left/centerline|1e12; s; 0|nearer to the origin
+fibers/left/centerline|-sin(pi*s/5); sin(2*pi*s/5); 0|comes back to its start (-0, 0, 0) turned by
+constants|l = 0,5, g_eq = 1e-3|'name = value, ...'
+constants|l = 5, l = 6, g_eq = 1e-3|has 'l' twice
+supports/held/copies|i == 1|holds for at least one
+loads/weight/copies|i > 0|holds for at least one
 supports/held/fibers|nobody|all, left, right
 supports/held/at|middle|an arc length
 supports/held/at|1.3|the nearest one is at 1.25
@@ -139,8 +158,10 @@ dynamics/rho infinity|1.1|0...1
 dynamics/rho infinity|-0.1|Double 0...1
 dynamics/largest order|6|1...5
 newton/iterations|0|1...
-newton/residual tolerance|0|positive
-newton/increment tolerance|0|positive
+newton/relative residual tolerance|0|positive
+newton/relative increment tolerance|0|positive
+newton/residual tolerance|-1|Double 0
+newton/increment tolerance|-1|Double 0
 newton/linear solver|Umfpack|Amesos_Klu
 newton/log iterations|2|Bool
 output/interval|-1|Double 0
@@ -148,13 +169,23 @@ output/subdivisions|0|1...
 END
 
 # One of several formulas or names is wrong: the message shows that one.
+while IFS='|' read -r parameter value part allowed; do
+  rejects two_fibers.prm --set "$parameter=$value" -- \
+    "'$parameter'" "'$part'" "$allowed"
+done <<'END'
+fibers/left/centerline|0,04*s; s; 0|0,04*s|a comma outside a function call
+loads/weight/force|0; if(t=0.5, 1, 2); 0|if(t=0.5, 1, 2)|'==' compares
+loads/weight/force|0; 1/(t - t); 0|1/(t - t)|is inf at s = 
+fibers/left/centerline|0; 1e7 + s; 0|0; 1e+07; 0|of 'interactions/adhesion/equilibrium gap'
+supports/held/displacement|0; 0,1*t; free|0,1*t|a comma outside a function call
+END
 while IFS='|' read -r parameter value shown allowed; do
   [[ -z $parameter ]] ||
     rejects two_fibers.prm --set "$parameter=$value" -- \
       "'$parameter'" "'$shown'" "$allowed"
 done <<'END'
 constants|g_eq = 1, R = 2*q|2*q|g_eq, pi
-constants|2x = 1, g_eq = 1|1|a formula
+constants|2x = 1, g_eq = 1|2x = 1, g_eq = 1|has '2x = 1'
 fibers/left/centerline|0; s + q; 0|s + q|s, g_eq, i, j, k, l, pi
 fibers/names|left, all|all|different names
 supports/names|held, held|held|different names
@@ -162,7 +193,7 @@ fibers/left/centerline|0; s; sin(|sin(|a formula
 fibers/left/centerline|0; log(-1 - s); 0|log(-1 - s)|finite
 supports/held/displacement|0; q*t; 0|q*t|t, g_eq, i, j, k, l, pi
 supports/held/displacement|1/t; 0; free|1/t|finite
-loads/weight/force|0; 0; q*s|q*s|s,t, g_eq, l, pi
+loads/weight/force|0; 0; q*s|q*s|s,t, g_eq, i, j, k, l, pi
 load stepping/largest step|if(t < q, 1, 2)|if(t < q, 1, 2)|t, g_eq, l, pi
 END
 

@@ -66,6 +66,7 @@ namespace Setae
       double       x;
       double       arc_length;
       double       weight;
+      unsigned int formula; ///< which of the forces and moments
     };
 
     void
@@ -82,10 +83,12 @@ namespace Setae
 
     const FiberSystem &fibers;
     LoadParameters     parameters;
-    VectorExpression   force;
-    VectorExpression   moment;
-    bool               has_moment;
-    std::vector<Site>  sites;
+
+    /** One for all fibers, or one for each if they have i, j or k. */
+    std::vector<VectorExpression> forces, moments;
+
+    bool              has_moment;
+    std::vector<Site> sites;
 
     /** Cell and reference coordinate of the first loaded point. */
     std::optional<std::pair<unsigned int, double>> first_point;

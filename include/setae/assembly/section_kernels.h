@@ -19,7 +19,8 @@
 namespace Setae
 {
   /**
-   * The kernels of an interaction, one for each pair of sections; if targets
+   * The kernels of an interaction, one for each pair of different sections
+   * (fibers with the same radius and densities share one); if targets
    * are finite, a second one with the roles exchanged for the sections in the
    * EndZone of a target.
    */
@@ -33,13 +34,21 @@ namespace Setae
                    const InteractionRoles      &roles)
       : fibers(fibers)
     {
-      std::set<unsigned int> sources, targets;
+      std::set<unsigned int>                        sources, targets;
+      std::map<std::array<double, 3>, unsigned int> first_with;
       for (unsigned int f = 0; f < fibers.fibers.size(); ++f)
         {
+          const FiberParameters &fiber = fibers.parameters[f];
+          section_of_fiber.push_back(
+            first_with
+              .insert(
+                {{{fiber.radius, fiber.number_density, fiber.surface_density}},
+                 f})
+              .first->second);
           if (roles.may_be_source(f))
-            sources.insert(fibers.fibers[f].parameters);
+            sources.insert(section_of_fiber[f]);
           if (roles.may_be_target(f))
-            targets.insert(fibers.fibers[f].parameters);
+            targets.insert(section_of_fiber[f]);
         }
       for (const unsigned int s : sources)
         for (const unsigned int t : targets)
@@ -61,8 +70,8 @@ namespace Setae
             const bool         source_is_zone = false) const
     {
       return kernels
-        .find({fibers.fibers[fibers.fiber_of_cell[source]].parameters,
-               fibers.fibers[fibers.fiber_of_cell[target]].parameters,
+        .find({section_of_fiber[fibers.fiber_of_cell[source]],
+               section_of_fiber[fibers.fiber_of_cell[target]],
                source_is_zone})
         ->second;
     }
@@ -80,8 +89,8 @@ namespace Setae
          const bool                   source_is_zone)
     {
       const SectionPair sections = section_pair(parameters,
-                                                fibers.scene.fibers[source],
-                                                fibers.scene.fibers[target]);
+                                                fibers.parameters[source],
+                                                fibers.parameters[target]);
       check_equal(parameters, sections);
       const PotentialAndLaw &pair   = law_between(parameters, sections);
       const Kernel<Law>      kernel = make_kernel(
@@ -144,7 +153,11 @@ namespace Setae
               "left out for fibers without a number density");
     }
 
-    const FiberSystem                                                  &fibers;
+    const FiberSystem &fibers;
+
+    /** The first fiber with the section of each fiber. */
+    std::vector<unsigned int> section_of_fiber;
+
     std::map<std::array<double, 4>, PotentialAndLaw>                    laws;
     std::map<std::tuple<unsigned int, unsigned int, bool>, Kernel<Law>> kernels;
   };

@@ -6,6 +6,7 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <exception>
 #include <sstream>
 #include <string>
 
@@ -38,6 +39,10 @@ namespace Setae
     text << value;
     AssertThrow(false, ExcParameter(parameter, text.str(), allowed));
   }
+
+  /** What @p exception says, in one line and without a full stop. */
+  std::string
+  reason(const std::exception &exception);
 
   /** Anything else a user can put right, in one sentence. */
   DeclException1(ExcInput, std::string, << arg1);

@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace dealii
 {
@@ -24,9 +25,25 @@ namespace Setae
   /** Named numbers that may stand in an expression. */
   using Constants = std::map<std::string, double>;
 
-  /** "name = value, ..." with expressions of earlier names as values. */
+  /**
+   * "name = value, ..." with expressions of earlier names as values.
+   *
+   * @throws ExcParameter if an entry is none, or its name cannot be used.
+   */
   Constants
   parse_constants(const std::string &parameter, const std::string &text);
+
+  /** @p constants, and the numbers i, j, k of a copy. */
+  Constants
+  with_copy(Constants constants, const Constants &copy);
+
+  /** The parts of @p text between commas that are not in parentheses. */
+  std::vector<std::string>
+  split_at_commas(const std::string &text);
+
+  /** Whether one of the names i, j, k stands in the formula @p text. */
+  bool
+  depends_on_copy(const std::string &text);
 
 
 
@@ -39,10 +56,12 @@ namespace Setae
     /**
      * @param parameter The full name of the parameter, for messages.
      * @param text The formula, in the language of muParser.
-     * @param variables The names of one or two variables, "s" or "s,t".
+     * @param variables The names of one or two variables, "s" or "s,t"; none
+     * for a formula of the constants only.
      * @param constants Further names that may be used.
      *
-     * @throws ExcParameter if the formula cannot be parsed.
+     * @throws ExcParameter if the formula cannot be parsed, has a comma outside
+     * a function call (where muParser would take what follows) or assigns.
      */
     Expression(const std::string &parameter,
                const std::string &text,
@@ -51,12 +70,21 @@ namespace Setae
     ~Expression();
     Expression(Expression &&) noexcept;
 
+    /**
+     * @throws ExcParameter with the variables and the numbers of the copy if
+     * the value is not finite.
+     */
     double
-    operator()(const double first, const double second = 0.) const;
+    operator()(const double first = 0., const double second = 0.) const;
 
   private:
+    std::string
+    place(const double first, const double second) const;
+
     std::string                                parameter;
     std::string                                text;
+    std::vector<std::string>                   variables;
+    std::string                                copy; ///< ", i = 0, ..." or ""
     std::unique_ptr<dealii::FunctionParser<2>> parser;
   };
 

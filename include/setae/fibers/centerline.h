@@ -28,6 +28,12 @@ namespace Setae
     /** The numbers i, j, k of the copy within an array, else 0. */
     Constants copy;
 
+    /** By how much the coordinates of a node may be rounded [length]. */
+    double rounding = 0.;
+
+    /** The parameter s of each node of a formula, or nothing [length]. */
+    std::vector<double> parameters;
+
     unsigned int
     n_cells() const
     {
@@ -38,9 +44,29 @@ namespace Setae
     HermiteCell<>
     cell(const unsigned int i) const;
 
-    /** Whether all nodes and tangents lie on one line, up to round-off. */
+    /** The shortest chord of a cell [length]. */
+    double
+    shortest_cell() const;
+
+    /** By how much a tangent may differ from that of the curve. */
+    double
+    tangent_tolerance() const;
+
+    /**
+     * Whether all nodes are on one line, and all tangents along it, up to the
+     * rounding of the coordinates and 1e-10 of the length.
+     */
     bool
     is_straight() const;
+
+    /**
+     * Move the nodes of a straight centerline onto the line through its ends
+     * and turn the tangents along it.
+     *
+     * @return By how much a node has moved at most [length].
+     */
+    double
+    straighten();
   };
 
 
@@ -48,12 +74,33 @@ namespace Setae
   /**
    * The centerlines of the copies of a fiber, from its formula or mesh file.
    *
-   * @throws ExcParameter if a formula gives no regular curve or a file cannot
-   * be read.
+   * @param notices What a user should know of them is added to it.
+   *
+   * @throws ExcParameter if a formula gives no regular curve, one with a kink
+   * or one so far out that rounding spoils it, or if a file cannot be read or
+   * has branches or kinks.
    */
+  std::vector<Centerline>
+  make_centerlines(const FiberParameters    &parameters,
+                   const Constants          &constants,
+                   std::vector<std::string> &notices);
+
+  /** The same without the notices. */
   std::vector<Centerline>
   make_centerlines(const FiberParameters &parameters,
                    const Constants       &constants);
+
+  /** The centerlines of the chains of lines of a mesh file. */
+  std::vector<Centerline>
+  centerlines_of_mesh(const FiberParameters    &parameters,
+                      std::vector<std::string> &notices);
+
+  /** The centerline of one copy, from its formula. */
+  Centerline
+  centerline_of_formula(const FiberParameters    &parameters,
+                        const Constants          &constants,
+                        const Constants          &copy,
+                        std::vector<std::string> &notices);
 } // namespace Setae
 
 #endif

@@ -28,9 +28,9 @@ namespace Setae
    */
   struct Fiber
   {
-    unsigned int parameters; ///< index of its section of the scene
-    std::string  name;       ///< with the number of the copy in an array
-    Constants    copy;       ///< the numbers i, j, k of the copy
+    unsigned int section; ///< index of its section of the scene
+    std::string  name;    ///< with the number of the copy in an array
+    Constants    copy;    ///< the numbers i, j, k of the copy
     unsigned int first_cell;
     unsigned int n_cells;
     bool         closed;
@@ -70,9 +70,13 @@ namespace Setae
 
     FiberSystem(const Scene &scene, MPI_Comm communicator);
 
-    const Scene               &scene;
-    const MPI_Comm             communicator;
-    std::vector<Fiber>         fibers;
+    const Scene       &scene;
+    const MPI_Comm     communicator;
+    std::vector<Fiber> fibers;
+
+    /** The parameters of each fiber, with the numbers of its copy. */
+    std::vector<FiberParameters> parameters;
+
     std::vector<HermiteCell<>> initial; ///< initial curve of each cell
 
     /** The fiber of each cell. */
@@ -96,7 +100,7 @@ namespace Setae
     const FiberParameters &
     parameters_of_cell(const unsigned int cell) const
     {
-      return scene.fibers[fibers[fiber_of_cell[cell]].parameters];
+      return parameters[fiber_of_cell[cell]];
     }
 
     /** Where on its fiber @p cell is. */
@@ -111,6 +115,18 @@ namespace Setae
     /** The indices of the fibers that any of @p names refers to, ascending. */
     std::vector<unsigned int>
     select(const std::vector<std::string> &names) const;
+
+    /**
+     * The fibers among them whose copy meets a condition, a formula of i, j, k
+     * or 'all'.
+     *
+     * @param parameter The full name of the condition, for messages.
+     * @throws ExcParameter if it is no formula, or holds for no fiber.
+     */
+    std::vector<unsigned int>
+    select(const std::vector<std::string> &names,
+           const std::string              &copies,
+           const std::string              &parameter) const;
 
     /**
      * A degree of freedom of a node of a fiber, or invalid_dof_index for a
@@ -139,6 +155,9 @@ namespace Setae
     state(const dealii::TrilinosWrappers::MPI::Vector &solution,
           const double                                 time) const;
 
+    /** What became of the geometry that a user should know, in sentences. */
+    std::vector<std::string> notices;
+
   private:
     void
     make_grid();
@@ -148,6 +167,10 @@ namespace Setae
 
     void
     check_curvature(const Centerline &line, const std::string &parameter) const;
+
+    /** Whether coordinates have the digits that gaps and radii need. */
+    void
+    check_distance(const Centerline &line, const FiberParameters &fiber) const;
   };
 } // namespace Setae
 

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 The Setae authors
+
+#include <setae/base/exceptions.h>
+
+namespace Setae
+{
+  std::string
+  reason(const std::exception &exception)
+  {
+    std::ostringstream text;
+    if (const auto *own =
+          dynamic_cast<const dealii::ExceptionBase *>(&exception))
+      own->print_info(text);
+    else
+      text << exception.what();
+
+    std::istringstream words(text.str());
+    std::string        line, word;
+    while (words >> word)
+      line += (line.empty() ? "" : " ") + word;
+    while (!line.empty() && line.back() == '.')
+      line.pop_back();
+    return line;
+  }
+} // namespace Setae
