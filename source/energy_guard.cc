@@ -42,10 +42,18 @@ namespace Setae
 
 
   double
+  EnergyGuard::moved_by_supports(const MotionReport &motion)
+  {
+    return motion.support_work != 0. ? motion.numerical_dissipation : 0.;
+  }
+
+
+
+  double
   EnergyGuard::gain(const MotionReport &motion) const
   {
     const double least =
-      is_first ? motion.numerical_dissipation : least_dissipation;
+      is_first ? moved_by_supports(motion) : least_dissipation;
     return created(motion) +
            std::max(std::min(least, 0.) - motion.numerical_dissipation, 0.);
   }
@@ -115,7 +123,7 @@ namespace Setae
   EnergyGuard::accept(const MotionReport &motion, const Evaluation &evaluation)
   {
     if (is_first)
-      least_dissipation = motion.numerical_dissipation;
+      least_dissipation = moved_by_supports(motion);
     is_first  = false;
     last_gain = gain(motion);
     last_loss = -created(motion);

@@ -18,10 +18,10 @@ namespace Setae
    * created is the change of kinetic and potential energy, with what damping
    * and numerical damping took and without the work from outside. Numerical
    * damping may not pay for it; but if it has given energy so far instead of
-   * taking some, that was created, too (not in the first step, which has to
-   * find the accelerations that follow from those of the supports). Twenty
-   * times as much may be lost, where contacts begin and end, but not by steps
-   * that conserve the energy.
+   * taking some, that was created, too, unless it was in a first step in which
+   * supports move: they accelerate fibers at once. Twenty times as much may be
+   * lost, where contacts begin and end, but not by steps that conserve the
+   * energy.
    *
    * The bound is a part of the largest energy so far: the sum of the kinetic
    * energy, of what damping took, and of what the energy of each term has
@@ -73,7 +73,13 @@ namespace Setae
     double
     created(const MotionReport &motion) const;
 
-    /** The same, with what numerical damping has given. */
+    /**
+     * What numerical damping has taken in a first step, if supports move in it.
+     */
+    static double
+    moved_by_supports(const MotionReport &motion);
+
+    /** What was created, with what numerical damping has given. */
     double
     gain(const MotionReport &motion) const;
 

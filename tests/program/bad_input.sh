@@ -153,6 +153,7 @@ dynamics/end time|-1|Double 0
 dynamics/time step|-1|Double 0
 dynamics/tolerance|-1|Double 0
 dynamics/energy tolerance|-1|Double 0
+dynamics/largest energy gain|-1|Double 0
 dynamics/damping|-1|Double 0
 dynamics/rho infinity|1.1|0...1
 dynamics/rho infinity|-0.1|Double 0...1

@@ -161,7 +161,7 @@ TEST(GeneralizedAlphaSteps, OfAnySizeHaveOrderTwo)
         double                             sum = 0.;
         for (const double size : pattern)
           sum += size;
-        for (const unsigned int n : {120, 240})
+        for (const unsigned int n : {240, 480})
           {
             Oscillator system;
             system.stiffness            = 4.;
@@ -275,8 +275,8 @@ TEST(Work, MakesTheBalanceOfALinearSystemExactWhateverTheSteps)
           SCOPED_TRACE(testing::Message() << rho << ' ' << damping);
           Oscillator system;
           system.stiffness                = 50.;
-          system.load                     = 2.;
-          system.amplitude                = .3;
+          system.load                     = is_driven ? 2. : 0.;
+          system.amplitude                = is_driven ? .3 : 0.;
           system.initial_displacement     = 1.;
           system.damping                  = damping;
           const auto              step    = method(system, rho);
@@ -309,10 +309,13 @@ TEST(Work, MakesTheBalanceOfALinearSystemExactWhateverTheSteps)
                           1e-9 * largest);
             }
           // Accelerations of supports are not those of Newmark's formulas.
-          if (!is_driven)
+          if (!is_driven && rho == 1.)
             {
-              EXPECT_GE(numerical, -1e-9 * largest);
-              EXPECT_EQ(numerical > 1e-9 * largest, rho < 1.);
+              EXPECT_NEAR(numerical, 0., 1e-9 * largest);
+            }
+          if (!is_driven && rho < 1. && damping == 0.)
+            {
+              EXPECT_GT(numerical, 1e-3 * largest);
             }
         }
 }
