@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 The Setae authors
 
+#include <deal.II/base/utilities.h>
+
 #include <setae/base/exceptions.h>
 #include <setae/dynamic_run.h>
 #include <setae/solvers/generalized_alpha.h>
 #include <setae/solvers/ida.h>
 #include <setae/solvers/time_stepping.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -20,6 +23,12 @@ namespace Setae
     , dynamics(scene.dynamics)
     , system(system)
     , progress(progress)
+    , guard(dynamics,
+            std::all_of(scene.interactions.begin(),
+                        scene.interactions.end(),
+                        [](const InteractionParameters &interaction) {
+                          return interaction.has_potential();
+                        }))
   {}
 
 
@@ -35,34 +44,17 @@ namespace Setae
 
 
 
-  DynamicRun::Balance
-  DynamicRun::balance(const Motion     &motion,
-                      const double      time,
-                      const double      step_size,
-                      const Evaluation &evaluation)
+  MotionReport
+  DynamicRun::report(const Motion     &motion,
+                     const Evaluation &evaluation,
+                     const Work       &work)
   {
-    Balance       result;
-    MotionReport &report = result.report;
-    report.momenta       = system.momenta(motion);
-    report.total_energy  = evaluation.energy + report.momenta.kinetic_energy;
-
-    result.support_power = system.support_power(motion);
-    result.external_work = system.external_work(motion, time);
-    if (step_size == 0.)
-      return result;
-
-    report.support_work =
-      last.report.support_work +
-      .5 * step_size * (last.support_power + result.support_power);
-    report.external_work =
-      last.report.external_work +
-      system.sum(work_between(last.external_work, result.external_work));
-
-    // Damping takes the power c V.MV, twice c times the kinetic energy.
-    report.dissipation =
-      last.report.dissipation +
-      step_size * dynamics.damping *
-        (last.report.momenta.kinetic_energy + report.momenta.kinetic_energy);
+    MotionReport result;
+    result.momenta       = system.momenta(motion);
+    result.total_energy  = evaluation.energy + result.momenta.kinetic_energy;
+    result.support_work  = work.supports;
+    result.external_work = work.external;
+    result.dissipation   = work.damping;
     return result;
   }
 
@@ -78,9 +70,11 @@ namespace Setae
     AssertThrow(at_start.evaluation.is_admissible,
                 ExcRun("The motion cannot begin: " +
                        at_start.evaluation.reason + "."));
-    last = balance(initial, 0., 0., at_start.evaluation);
+    last = report(initial, at_start.evaluation, work);
+    last_state.emplace(system, initial, 0.);
+    guard.start(last, at_start.evaluation);
     StepRecord record;
-    record.motion = last.report;
+    record.motion = last;
     visit(record, at_start, initial.displacement);
 
     if (dynamics.integrator == "IDA")
@@ -107,7 +101,7 @@ namespace Setae
       {
         StepRecord         record;
         const SolverResult result = solve_step(method, steps, record);
-        record.motion             = last.report;
+        record.motion             = last;
         visit(record, result, method.motion().displacement);
       }
   }
@@ -126,43 +120,56 @@ namespace Setae
         const SolverResult result =
           method.try_step(system, record.time, record.step_size);
 
-        Balance     next;
         StepMeasure quality;
+        std::string reason = result.reason;
         if (result.converged)
           {
-            next    = balance(method.trial(),
-                           record.time,
-                           record.step_size,
-                           result.evaluation);
-            quality = measure(method, steps, next.report);
-          }
-        if (result.converged && quality.is_acceptable())
-          {
-            last = std::move(next);
-            method.accept();
-            steps.accept(quality);
-            return result;
-          }
+            BalancedState state(system, method.trial(), record.time);
+            const Work    step =
+              work_between(system,
+                           dynamics.damping,
+                           *last_state,
+                           state,
+                           steps.time() > 0. ?
+                             0. :
+                             dynamics.damping * record.step_size);
+            Work sum = work;
+            sum += step;
+            MotionReport next = report(method.trial(), result.evaluation, sum);
 
-        std::ostringstream reason;
-        if (!result.converged)
-          reason << result.reason;
-        else
-          reason << "the error is " << quality.error
-                 << " of the tolerance, the largest displacement "
-                 << quality.displacement << ", the error of the energy "
-                 << quality.energy << " of what is allowed";
+            // Inertia does as much as the kinetic energy changes by, but for
+            // numerical damping and the force that conserves the energy.
+            next.numerical_dissipation =
+              last.numerical_dissipation + step.inertia -
+              method.energy_correction() -
+              (next.momenta.kinetic_energy - last.momenta.kinetic_energy);
+            quality =
+              measure(method, steps, next, result.evaluation, step.path);
+            if (quality.is_acceptable())
+              {
+                guard.accept(next, result.evaluation);
+                last       = next;
+                last_state = std::move(state);
+                work       = sum;
+                method.accept();
+                steps.accept(quality);
+                return result;
+              }
+            reason = this->reason(quality, next, result.evaluation);
+          }
         record.n_iterations_rejected += result.n_iterations;
         ++record.n_rejected;
-        progress.print_rejection(reason.str());
+        progress.print_rejection(reason);
 
         const double begin = steps.time();
         if (result.converged ? steps.reject(quality) : steps.reject())
           continue;
         std::ostringstream message;
         message << "The time step from " << begin << " to " << record.time
-                << " has no solution: " << reason.str()
-                << ". The states before it are on disk.";
+                << (result.converged ?
+                      " is the smallest one and not accurate: " :
+                      " has no solution: ")
+                << reason << ". The states before it are on disk.";
         AssertThrow(false, ExcRun(message.str()));
       }
   }
@@ -172,18 +179,47 @@ namespace Setae
   StepMeasure
   DynamicRun::measure(const GeneralizedAlpha &method,
                       const TimeStepping     &steps,
-                      const MotionReport     &motion)
+                      const MotionReport     &motion,
+                      const Evaluation       &evaluation,
+                      const double            path)
   {
     StepMeasure result;
     if (dynamics.largest_displacement > 0.)
       result.displacement =
         method.largest_displacement(system) / dynamics.largest_displacement;
     if (dynamics.energy_tolerance > 0.)
-      result.energy = std::abs(motion.balance() - last.report.balance()) /
-                      dynamics.energy_tolerance;
+      result.energy =
+        std::abs(motion.balance() - last.balance()) / dynamics.energy_tolerance;
     if (steps.is_adaptive())
       result.error = method.error(system) / dynamics.tolerance;
+    result.gain = guard.measure(motion, evaluation, path);
     return result;
+  }
+
+
+
+  std::string
+  DynamicRun::reason(const StepMeasure  &measure,
+                     const MotionReport &motion,
+                     const Evaluation   &evaluation) const
+  {
+    std::ostringstream text;
+    const auto         add = [&text](const double       part,
+                             const std::string &what,
+                             const std::string &parameter) {
+      if (part > 1.)
+        text << (text.tellp() > 0 ? ", " : "") << what << " is " << part
+             << " times 'dynamics/" << parameter << "'";
+    };
+    add(measure.error, "the error", "tolerance");
+    add(measure.displacement,
+        "the displacement of a node",
+        "largest displacement");
+    add(measure.energy, "the error of the energy balance", "energy tolerance");
+    if (!(measure.gain <= 1.))
+      text << (text.tellp() > 0 ? ", " : "")
+           << guard.reason(motion, evaluation);
+    return text.str();
   }
 
 
@@ -192,26 +228,38 @@ namespace Setae
   DynamicRun::run_ida(const Motion &initial, const StepVisitor &visit)
   {
     double last_time = 0.;
-    Ida(dynamics).run(system,
-                      initial,
-                      [&](const double       time,
-                          const Motion      &motion,
-                          const unsigned int n_solved) {
-                        SolverResult result;
-                        result.converged    = true;
-                        result.n_iterations = n_solved;
-                        result.evaluation   = evaluate(motion, time);
+    Ida(dynamics).run(
+      system,
+      initial,
+      [&](const double       time,
+          const Motion      &motion,
+          const WorkMeter   &meter,
+          const unsigned int n_solved) {
+        SolverResult result;
+        result.converged    = true;
+        result.n_iterations = n_solved;
+        result.evaluation   = evaluate(motion, time);
+        AssertThrow(result.evaluation.is_admissible,
+                    ExcRun("At time " + dealii::Utilities::to_string(time) +
+                           ", " + result.evaluation.reason +
+                           ". The states before it are on disk."));
 
-                        StepRecord record;
-                        record.time      = time;
-                        record.step_size = time - last_time;
-                        last             = balance(motion,
-                                       time,
-                                       record.step_size,
-                                       result.evaluation);
-                        record.motion    = last.report;
-                        last_time        = time;
-                        visit(record, result, motion.displacement);
-                      });
+        last = report(motion,
+                      result.evaluation,
+                      meter.until({system, motion, time}));
+        AssertThrow(!guard.is_exceeded(last, result.evaluation),
+                    ExcRun("At time " + dealii::Utilities::to_string(time) +
+                           ", " + guard.reason(last, result.evaluation) +
+                           "; a smaller 'dynamics/tolerance' may help. The "
+                           "states before it are on disk."));
+        guard.accept(last, result.evaluation);
+
+        StepRecord record;
+        record.time      = time;
+        record.step_size = time - last_time;
+        record.motion    = last;
+        last_time        = time;
+        visit(record, result, motion.displacement);
+      });
   }
 } // namespace Setae

@@ -70,6 +70,20 @@ namespace Setae
       "a larger one, as when fibers hit, is repeated with a smaller size; 0 "
       "means no bound.",
       Patterns::Double(0.));
+    prm.add_parameter(
+      "largest energy gain",
+      largest_energy_gain,
+      "What the time integration may add, in the whole run, to the energy plus "
+      "what damping took minus the work done from outside, as a part of the "
+      "largest energy: the largest sum so far of the kinetic energy, what "
+      "damping took, and what the energy of each term has changed by since time "
+      "0. A step that adds more than half of what is left is repeated with a "
+      "smaller size; with IDA, which may also add a part of the total energy, "
+      "the run ends. What numerical damping takes away does not count; beyond "
+      "it, generalized-alpha may lose 20 times as much, 'energy-conserving' "
+      "only the same. 0 means no bound; interactions without a potential "
+      "('interaction moments', 'cutoff of') have none.",
+      Patterns::Double(0.));
     prm.add_parameter("rho infinity",
                       rho_infinity,
                       "The spectral radius of generalized-alpha for infinite "

@@ -207,8 +207,7 @@ namespace Setae
       const std::string without_potential =
         " with the interaction '" + interaction.name +
         "', which has no potential ('interaction moments', 'cutoff of')";
-      const bool has_potential =
-        interaction.interaction_moments && interaction.cutoff_of == "energy";
+      const bool has_potential = interaction.has_potential();
       require(has_potential || dynamics.integrator != "energy-conserving",
               "dynamics/integrator",
               dynamics.integrator,
@@ -407,13 +406,13 @@ namespace Setae
             "load stepping/growth",
             steps.growth,
             "at least 1");
-    require(newton.residual_tolerance > 0.,
-            "newton/residual tolerance",
-            newton.residual_tolerance,
+    require(newton.relative_residual_tolerance > 0.,
+            "newton/relative residual tolerance",
+            newton.relative_residual_tolerance,
             "positive");
-    require(newton.increment_tolerance > 0.,
-            "newton/increment tolerance",
-            newton.increment_tolerance,
+    require(newton.relative_increment_tolerance > 0.,
+            "newton/relative increment tolerance",
+            newton.relative_increment_tolerance,
             "positive");
     require(full_quadrature.tolerance > 0.,
             "full 6D quadrature/tolerance",

@@ -34,6 +34,7 @@ namespace Setae
     AssertThrow(initial.converged,
                 ExcRun("There is no equilibrium at time 0: " + initial.reason +
                        "."));
+    equations.check_free_fibers();
     visit(StepRecord{}, initial, solution);
 
     while (!steps.is_finished())
@@ -75,6 +76,7 @@ namespace Setae
                 << record.time << " has no solution: " << relaxed.reason
                 << ". The states before it are on disk.";
         AssertThrow(relaxed.converged, ExcRun(message.str()));
+        equations.check_free_fibers();
         record.is_snap = true;
         steps.restart();
         return relaxed;

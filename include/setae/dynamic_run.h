@@ -4,8 +4,11 @@
 #ifndef setae_dynamic_run_h
 #define setae_dynamic_run_h
 
+#include <setae/energy_guard.h>
 #include <setae/output/progress.h>
-#include <setae/solvers/dynamic_system.h>
+#include <setae/solvers/work_between.h>
+
+#include <optional>
 
 namespace Setae
 {
@@ -48,36 +51,39 @@ namespace Setae
     StepMeasure
     measure(const GeneralizedAlpha &method,
             const TimeStepping     &steps,
-            const MotionReport     &motion);
+            const MotionReport     &motion,
+            const Evaluation       &evaluation,
+            const double            path);
+
+    /** What is wrong with a step that has been solved, in words. */
+    std::string
+    reason(const StepMeasure  &measure,
+           const MotionReport &motion,
+           const Evaluation   &evaluation) const;
 
     /** Residual and energies of a motion. */
     Evaluation
     evaluate(const Motion &motion, const double time);
 
-    /** A report of a motion, and what the next one starts from. */
-    struct Balance
-    {
-      MotionReport              report;
-      double                    support_power = 0.; ///< [energy/time]
-      std::vector<ExternalWork> external_work;      ///< of this rank
-    };
-
     /**
-     * Energies, momenta and, by the trapezoidal rule from the last accepted
-     * step on, work. The motion is the one evaluated last.
+     * Energies and momenta of a motion, the one evaluated last, after the
+     * @p work since time 0.
      */
-    Balance
-    balance(const Motion     &motion,
-            const double      time,
-            const double      step_size,
-            const Evaluation &evaluation);
+    MotionReport
+    report(const Motion     &motion,
+           const Evaluation &evaluation,
+           const Work       &work);
 
     const Scene              &scene;
     const DynamicsParameters &dynamics;
     DynamicSystem            &system;
     Progress                 &progress;
+    EnergyGuard               guard;
 
-    Balance last; ///< of the last accepted step
+    // Of the last accepted step.
+    MotionReport                 last;
+    std::optional<BalancedState> last_state;
+    Work                         work; ///< since time 0
   };
 } // namespace Setae
 

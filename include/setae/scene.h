@@ -118,6 +118,13 @@ namespace Setae
     std::vector<unsigned int> section_points        = {4, 9};
     double                    law_tolerance         = 5e-4;
 
+    /** Whether the forces are the derivatives of the energy. */
+    bool
+    has_potential() const
+    {
+      return interaction_moments && cutoff_of == "energy";
+    }
+
     void
     add_parameters(Entries &prm);
   };
@@ -152,6 +159,7 @@ namespace Setae
     double       smallest_step        = 0.;
     double       largest_displacement = 0.;
     double       energy_tolerance     = 0.;
+    double       largest_energy_gain  = 1e-3;
     double       rho_infinity         = .9;
     double       damping              = 0.;
     unsigned int max_order            = 2;
@@ -176,12 +184,14 @@ namespace Setae
   /** How the equilibrium of one load step is found. */
   struct NewtonParameters
   {
-    double       residual_tolerance  = 1e-7;
-    double       increment_tolerance = 1e-8;
-    unsigned int max_n_iterations    = 30;
-    double       largest_increment   = 0.;
-    std::string  linear_solver       = "Amesos_Klu";
-    bool         log_iterations      = false;
+    double       relative_residual_tolerance  = 1e-7;
+    double       relative_increment_tolerance = 1e-7;
+    double       residual_tolerance           = 0.;
+    double       increment_tolerance          = 0.;
+    unsigned int max_n_iterations             = 30;
+    double       largest_increment            = 0.;
+    std::string  linear_solver                = "Amesos_Klu";
+    bool         log_iterations               = false;
 
     void
     add_parameters(Entries &prm);

@@ -40,6 +40,7 @@ namespace Setae
     add_number("support work", motion.support_work);
     add_number("external work", motion.external_work);
     add_number("dissipated energy", motion.dissipation);
+    add_number("numerical dissipation", motion.numerical_dissipation);
     add_number("energy balance", motion.balance());
     for (unsigned int c = 0; c < 3; ++c)
       add_number(std::string("linear momentum ") + axes[c],

@@ -105,6 +105,7 @@ namespace Setae
 
       // Of the last evaluation.
       Vector    taken; ///< from the displacement to conserve the energy
+      double    correction = 0.; ///< the work of the force that does it
       Potential end;
 
     private:
@@ -117,7 +118,10 @@ namespace Setae
                       const double  time,
                       Evaluation   &evaluation)
       {
-        // Where nothing moves, there is nothing to take energy from.
+        // Where nothing moves, there is nothing to take energy from, and far
+        // from the end of the step any energy may be missing. What this bound
+        // leaves out is seen in the balance of energy of the step, which then
+        // has to be shorter.
         constexpr double largest_part = .1;
 
         const double h = beginning->step_size;
@@ -133,14 +137,14 @@ namespace Setae
           mean_force * taken;
 
         system.set_supports_to_zero(taken);
-        Vector force = system.times_mass(taken);
-        system.set_supports_to_zero(force);
+        Vector       force                = system.times_mass(taken);
         const double twice_kinetic_energy = force * taken / (h * h);
         const double part                 = twice_kinetic_energy > 0. ?
                                               std::clamp(.5 * missing / twice_kinetic_energy,
                                          -largest_part,
                                          largest_part) :
                                               0.;
+        correction                        = 2. * part * twice_kinetic_energy;
         taken *= part;
         force *= part * beginning->rate_factor;
         evaluation.residual_norm = system.add_force(force);
@@ -157,11 +161,29 @@ namespace Setae
 
 
   GeneralizedAlpha::Coefficients::Coefficients(const double rho_infinity)
-    : alpha_m((2. * rho_infinity - 1.) / (rho_infinity + 1.))
-    , alpha_f(rho_infinity / (rho_infinity + 1.))
-    , beta(.25 * (1. - alpha_m + alpha_f) * (1. - alpha_m + alpha_f))
-    , gamma(.5 - alpha_m + alpha_f)
+    : Coefficients(rho_infinity, 1., (rho_infinity - 1.) / (rho_infinity + 1.))
   {}
+
+
+
+  GeneralizedAlpha::Coefficients::Coefficients(const double rho_infinity,
+                                               const double ratio,
+                                               const double last_delay)
+    : delay(last_delay / ratio)
+  {
+    const double rho =
+      rho_infinity < 1. ? std::min({rho_infinity, ratio, 1. / ratio}) : 1.;
+    alpha_m    = (2. * rho - 1.) / (rho + 1.);
+    alpha_f    = rho / (rho + 1.);
+    next_delay = (alpha_m - alpha_f - alpha_m * delay) / (1. - alpha_m);
+    if (next_delay > 0.)
+      {
+        next_delay = 0.;
+        alpha_m    = alpha_f / (1. - delay);
+      }
+    gamma = (.5 - delay) / (1. + next_delay - delay);
+    beta  = .25 * (.5 + gamma) * (.5 + gamma);
+  }
 
 
 
@@ -169,7 +191,7 @@ namespace Setae
                                      const NewtonParameters   &newton,
                                      const Newton::Log        &log,
                                      const Motion             &motion)
-    : coefficients(dynamics.rho_infinity)
+    : rho_infinity(dynamics.rho_infinity)
     , damping(dynamics.damping)
     , conserves_energy(dynamics.integrator == "energy-conserving")
     , newton(newton, log)
@@ -177,6 +199,8 @@ namespace Setae
     , next(motion)
     , last_auxiliary(motion.acceleration)
     , next_auxiliary(motion.acceleration)
+    , last_delay(Coefficients(rho_infinity).next_delay)
+    , coefficients(rho_infinity)
   {}
 
 
@@ -221,8 +245,9 @@ namespace Setae
                             const double   time,
                             const Vector  &auxiliary) const
   {
-    const auto [alpha_m, alpha_f, beta, gamma] = coefficients;
-    const double h                             = step_size;
+    const double alpha_m = coefficients.alpha_m, alpha_f = coefficients.alpha_f,
+                 beta = coefficients.beta, gamma = coefficients.gamma,
+                 h = step_size;
 
     Prediction result{last, auxiliary};
     Vector    &u = result.motion.displacement, &v = result.motion.velocity,
@@ -273,7 +298,8 @@ namespace Setae
     next.acceleration.add(a, correction);
     next_auxiliary = prediction.auxiliary;
     next_auxiliary.add(auxiliary_factor(), correction);
-    next_potential = std::move(balance.end);
+    next_potential  = std::move(balance.end);
+    next_correction = balance.correction;
     return result;
   }
 
@@ -292,23 +318,56 @@ namespace Setae
 
 
 
+  void
+  GeneralizedAlpha::filter_first_auxiliary(DynamicSystem &system,
+                                           const double   time)
+  {
+    const double factor = 1. + coefficients.gamma * step_size * damping;
+    last_auxiliary      = last.acceleration;
+    system.set_supports_to_zero(last_auxiliary);
+    Vector force = system.times_mass(last_auxiliary);
+    system.set_supports_to_zero(force);
+    const double before = last_auxiliary * force;
+
+    Vector filtered(last_auxiliary), right_hand_side(force);
+    right_hand_side *= auxiliary_factor();
+    const bool has_matrix = system
+                              .evaluate_motion(last.displacement,
+                                               rate(last),
+                                               factor * auxiliary_factor(),
+                                               time,
+                                               Request::tangent)
+                              .is_valid;
+    // Where the state is unstable, the matrix need not be a filter.
+    if (has_matrix && system.solve(right_hand_side, filtered) &&
+        filtered * system.times_mass(filtered) <= before)
+      last_auxiliary = filtered;
+    else
+      last_auxiliary *= 1. / factor;
+
+    // Prescribed entries are not Newmark's.
+    Vector prescribed(last.acceleration);
+    system.set_supports_to_zero(prescribed);
+    prescribed.sadd(-1., 1., last.acceleration);
+    last_auxiliary += prescribed;
+  }
+
+
+
   SolverResult
   GeneralizedAlpha::try_step(DynamicSystem &system,
                              const double   time,
                              const double   step_size)
   {
-    this->step_size = step_size;
+    this->step_size     = step_size;
+    const bool is_first = last_step_size == 0.;
+    coefficients        = Coefficients(rho_infinity,
+                                is_first ? 1. : step_size / last_step_size,
+                                last_delay);
+    if (is_first)
+      filter_first_auxiliary(system, time - step_size);
     if (conserves_energy && last_potential.force.size() == 0)
       evaluate_first(system, time - step_size);
-
-    // The auxiliary acceleration is that of a time (alpha_m - alpha_f) h after
-    // the last one: another step size means another time.
-    if (last_step_size > 0. && step_size != last_step_size)
-      {
-        const double ratio = step_size / last_step_size;
-        last_auxiliary.sadd(ratio, 1. - ratio, last.acceleration);
-      }
-    last_step_size = step_size;
 
     SolverResult result =
       correct(system, time, predict(system, time, last_auxiliary));
@@ -333,6 +392,8 @@ namespace Setae
     last           = next;
     last_auxiliary = next_auxiliary;
     last_potential = next_potential;
+    last_step_size = step_size;
+    last_delay     = coefficients.next_delay;
   }
 
 

@@ -16,6 +16,7 @@
 
 #include <cmath>
 #include <exception>
+#include <string>
 
 namespace Setae
 {
@@ -34,8 +35,11 @@ namespace Setae
     class Callbacks
     {
     public:
-      Callbacks(DynamicSystem &system, const double damping)
-        : system(system)
+      Callbacks(DynamicSystem &system,
+                const double   damping,
+                const Motion  &initial)
+        : meter(system, damping, initial)
+        , system(system)
         , damping(damping)
       {}
 
@@ -50,8 +54,12 @@ namespace Setae
           last_y              = y;
           last_y_dot          = y_dot;
           const Motion motion = evaluate(time, y, y_dot, 0., Request::residual);
-          if (!last.is_valid)
-            return 1;
+          if (!last.is_admissible)
+            {
+              refusal = last.reason;
+              return 1;
+            }
+          meter.add(motion, time);
 
           result.block(0) = y_dot.block(0);
           result.block(0) -= y.block(1);
@@ -127,6 +135,8 @@ namespace Setae
 
       unsigned int n_solved = 0;
       Evaluation   last;
+      std::string  refusal; ///< why the last state was refused
+      WorkMeter    meter;
 
     private:
       template <typename Function>
@@ -264,7 +274,7 @@ namespace Setae
     data.reset_type                        = Solver::AdditionalData::none;
     data.ignore_algebraic_terms_for_errors = true;
 
-    Callbacks   callbacks(system, parameters.damping);
+    Callbacks   callbacks(system, parameters.damping, initial);
     BlockVector y     = two_blocks(initial.displacement, initial.velocity);
     BlockVector y_dot = two_blocks(initial.velocity, initial.acceleration);
     BlockVector absolute_tolerances = tolerances(system, parameters);
@@ -306,12 +316,11 @@ namespace Setae
       const Motion motion = callbacks.motion(time, y, y_dot);
       AssertThrow(
         time > last_time,
-        ExcRun(
-          "IDA cannot go on at time " + Utilities::to_string(time) +
-          (callbacks.last.reason.empty() ? "" : ", " + callbacks.last.reason) +
-          ". The states before it are on disk."));
+        ExcRun("IDA cannot go on at time " + Utilities::to_string(time) +
+               (callbacks.refusal.empty() ? "" : ": " + callbacks.refusal) +
+               ". The states before it are on disk."));
       if (time > 0.)
-        visit(time, motion, callbacks.n_solved);
+        visit(time, motion, callbacks.meter, callbacks.n_solved);
       callbacks.n_solved = 0;
       last_time          = time;
     };

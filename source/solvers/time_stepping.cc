@@ -48,8 +48,9 @@ namespace Setae
     double           result = most;
     if (measure.error > 0.)
       result = std::min(result, safety / std::cbrt(measure.error));
-    if (measure.energy > 0.)
-      result = std::min(result, safety / std::sqrt(measure.energy));
+    for (const double energy : {measure.energy, measure.gain})
+      if (energy > 0.)
+        result = std::min(result, safety / std::sqrt(energy));
     if (measure.displacement > 0.)
       result = std::min(result, safety / measure.displacement);
     return std::max(result, least);

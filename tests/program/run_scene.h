@@ -69,12 +69,15 @@ namespace Setae
 
 
 
-  /** The norms of the increments of a Newton iteration fall as their squares.
+  /**
+   * The norms of the increments of a Newton iteration fall as their squares, up
+   * to their @p round_off [length].
    */
   inline void
-  expect_quadratic_convergence(std::vector<double> increments)
+  expect_quadratic_convergence(std::vector<double> increments,
+                               const double        round_off = 1e-12)
   {
-    while (increments.size() > 3 && increments.back() < 1e-12)
+    while (increments.size() > 3 && increments.back() < round_off)
       increments.pop_back();
     ASSERT_GE(increments.size(), 4u);
     const unsigned int n = increments.size();

@@ -43,6 +43,13 @@ namespace Setae
     /** What the viscous damping has taken away since time 0 [energy]. */
     double dissipation = 0.;
 
+    /**
+     * What generalized-alpha with a spectral radius below one has taken from
+     * the kinetic energy since time 0 [energy]; not known of IDA. In a single
+     * step it may be negative, by an amount of third order.
+     */
+    double numerical_dissipation = 0.;
+
     /** The sum of the energies of all terms and of the kinetic one [energy]. */
     double total_energy = 0.;
 

@@ -24,6 +24,19 @@ namespace Setae
    * spectral radius at infinity. With the value one it is the trapezoidal rule,
    * which keeps the energy of linear systems.
    *
+   * *Steps of any size.* a is an acceleration at the time
+   * @f$t_n+\Delta_n@f$, not at @f$t_n@f$. The formula above says what follows
+   * for @f$\Delta_{n+1}@f$, and Newmark's formula of the velocity has order two
+   * with
+   * @f[ \gamma=\frac{h/2-\Delta_n}{h+\Delta_{n+1}-\Delta_n},\qquad
+   *     \beta=\tfrac14(\tfrac12+\gamma)^2. @f]
+   * a itself is never changed: scaling its difference from @f$\ddot X_n@f$ with
+   * the step, as is usual, makes it grow without bound with steps that grow.
+   *
+   * *The first step* starts from @f$(M+\gamma hcM+\beta h^2R')\,a_0=M\ddot
+   * X_0@f$. Where the step resolves the motion, this is the acceleration; what
+   * decays or vibrates faster would otherwise be extrapolated over the step.
+   *
    * *Conservation.* The mean force of both ends does not do the work that the
    * potential energy gives: with @f$d=X_{n+1}-X_n@f$ it misses
    * @f[ \delta = \Pi_{n+1}-\Pi_n-\tfrac12(R_n+R_{n+1})\cdot d, @f]
@@ -53,13 +66,32 @@ namespace Setae
       std::vector<ExternalWork> external_work; ///< of this rank
     };
 
-    /** The constants of the method. */
+    /** The constants of a step. */
     struct Coefficients
     {
       double alpha_m, alpha_f, beta, gamma;
 
-      /** @p rho_infinity is the spectral radius at infinity, in [0,1]. */
+      /** @f$\Delta_n@f$ and @f$\Delta_{n+1}@f$ in parts of the step. */
+      double delay, next_delay;
+
+      /**
+       * Of equal steps. @p rho_infinity is the spectral radius at infinity, in
+       * [0,1].
+       */
       explicit Coefficients(const double rho_infinity);
+
+      /**
+       * Of a step that is @p ratio times as long as the last one, whose
+       * @p last_delay was @f$\Delta_n@f$ in parts of that one. Equal steps with
+       * the spectral radius one are the only ones without numerical damping
+       * that are stable at high frequencies if their size changes: with a
+       * radius below one, such a step takes the inverse of the ratio at most.
+       * And
+       * @f$\Delta@f$ is never positive, as otherwise @f$\gamma@f$ has a pole.
+       */
+      Coefficients(const double rho_infinity,
+                   const double ratio,
+                   const double last_delay);
 
       /**
        * The factor of @f$h^3\dddot X@f$ in the displacement after one step,
@@ -68,7 +100,7 @@ namespace Setae
       double
       error_constant() const
       {
-        return beta + .5 * (alpha_m - alpha_f) - 1. / 6.;
+        return (.5 - beta) * delay + beta * (1. + next_delay) - 1. / 6.;
       }
     };
 
@@ -102,6 +134,23 @@ namespace Setae
     /** Take the state that try_step() has found. */
     void
     accept();
+
+    /**
+     * The work of the force that conserves the energy, in the step tried last;
+     * zero if it is not to be conserved [energy].
+     */
+    double
+    energy_correction() const
+    {
+      return next_correction;
+    }
+
+    /** The acceleration in Newmark's formulas after the last step. */
+    const Vector &
+    auxiliary_acceleration() const
+    {
+      return last_auxiliary;
+    }
 
     /** The largest displacement of a node in the step tried last [length]. */
     double
@@ -143,6 +192,10 @@ namespace Setae
     void
     evaluate_first(DynamicSystem &system, const double time);
 
+    /** What the first step takes as the auxiliary acceleration. */
+    void
+    filter_first_auxiliary(DynamicSystem &system, const double time);
+
     /** The derivatives by the displacement at the end of the step. */
     double
     auxiliary_factor() const;
@@ -151,14 +204,17 @@ namespace Setae
     double
     acceleration_factor() const;
 
-    const Coefficients coefficients;
-    const double       damping;
-    const bool         conserves_energy;
-    const Newton       newton;
+    const double rho_infinity;
+    const double damping;
+    const bool   conserves_energy;
+    const Newton newton;
 
-    Motion last, next;
-    Vector last_auxiliary, next_auxiliary;
-    double step_size = 0., last_step_size = 0.;
+    Motion       last, next;
+    Vector       last_auxiliary, next_auxiliary;
+    double       step_size = 0., last_step_size = 0.; ///< the last accepted one
+    double       last_delay;   ///< in parts of the last step
+    Coefficients coefficients; ///< of the step tried last
+    double       next_correction = 0.;
 
     Potential last_potential, next_potential; ///< only to conserve energy
   };

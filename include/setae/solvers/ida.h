@@ -5,7 +5,7 @@
 #define setae_solvers_ida_h
 
 #include <setae/scene.h>
-#include <setae/solvers/dynamic_system.h>
+#include <setae/solvers/work_between.h>
 
 #include <functional>
 
@@ -23,6 +23,9 @@ namespace Setae
    * reduce to ones with the matrix @f$R' + \alpha(\alpha+c)M@f$ for the free
    * displacements, where @f$\alpha@f$ is IDA's factor of @f$\dot X@f$.
    *
+   * States with a gap that is not admissible are refused inside the right-hand
+   * side: IDA then takes a shorter step.
+   *
    * The error is controlled in the mean over all unknowns: of displacements by
    * the tolerance, of velocities by the tolerance over the time between two
    * reports.
@@ -32,10 +35,13 @@ namespace Setae
   public:
     /**
      * Called at the end of each interval, and after each 500 steps of IDA
-     * within one, with the linear systems solved since the last call.
+     * within one, with the work on the way there and the linear systems solved
+     * since the last call.
      */
-    using Visit = std::function<
-      void(const double, const Motion &, const unsigned int n_solved)>;
+    using Visit = std::function<void(const double       time,
+                                     const Motion      &motion,
+                                     const WorkMeter   &meter,
+                                     const unsigned int n_solved)>;
 
     /**
      * @throws ExcParameter if deal.II was configured without SUNDIALS.

@@ -17,10 +17,13 @@ namespace Setae
     /** The error of its balance, of second order where a contact begins. */
     double energy = 0.;
 
+    /** The energy that it creates, of second order as well. */
+    double gain = 0.;
+
     bool
     is_acceptable() const
     {
-      return error <= 1. && displacement <= 1. && energy <= 1.;
+      return error <= 1. && displacement <= 1. && energy <= 1. && gain <= 1.;
     }
   };
 
