@@ -114,6 +114,45 @@ done
 run far_away.prm --set "constants=offset = 1e8" --output far_away
 one_line_with "'fibers/rod/centerline'" "nearer to the origin" "(1e+08,"
 
+# A formula that comes back to its start is a ring: pulled across, it widens by
+# (pi/4 - 2/pi) F r^3/(E I), here with E I = 1 (Timoshenko).
+
+cat >ring.prm <<'END'
+set coordinates = x, y
+subsection fibers
+  set names = ring
+  subsection ring
+    set centerline     = cos(s); sin(s); 0
+    set length         = 2*pi
+    set radius         = 0.01
+    set youngs modulus = 4/(pi*0.01^4)
+    set cells          = 24
+  end
+end
+subsection supports
+  set names = held
+  subsection held
+    set at           = start
+    set displacement = 0; 0; 0
+    set tangent      = 0; free; 0
+  end
+end
+subsection loads
+  set names = pull
+  subsection pull
+    set at    = 3.14159
+    set force = -1e-4*t; 0; 0
+  end
+end
+subsection load stepping
+  set first step = 1
+end
+END
+run ring.prm --output ring
+succeeds
+check "nothing says that it is a ring" on_stdout "'ring' comes back to its start"
+tip_is ring 1 -1.48779e-5 0 0 5e-9
+
 # mesh_file: in a folder of its own, with the six digits that programs write,
 # and with a node that is there twice.
 
