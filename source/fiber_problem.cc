@@ -127,10 +127,10 @@ namespace Setae
 
 
   RunSummary
-  FiberProblem::run()
+  FiberProblem::run(const RunOrigin &origin)
   {
     ResultFiles files(fibers, term_names(scene));
-    files.prepare();
+    files.prepare(origin);
     progress.print_header(fibers);
     run([&](const StepRecord &record) {
       output_results(record, files);
