@@ -110,6 +110,9 @@ namespace Setae
                                         const Vector       &unknowns) {
       solution = unknowns;
       complete(record, result);
+      if (record.evaluation.gaps.smallest < summary.smallest_gap)
+        summary.smallest_gap_place = equations.where(record.evaluation.gaps) +
+                                     " in step " + std::to_string(record.step);
       summary.add(record);
       visit(record);
     };

@@ -49,7 +49,8 @@ namespace Setae
             if (step_size < smallest_step)
               {
                 result.reason = "the overdamped motion finds no state of lower "
-                                "energy";
+                                "energy, in its smallest step because " +
+                                step.reason;
                 return result;
               }
             continue;
@@ -99,7 +100,10 @@ namespace Setae
       {
         ++result.n_iterations;
         if (!system.solve(increment))
-          return step;
+          {
+            step.reason = "the tangent matrix is singular";
+            return step;
+          }
         current += increment;
         motion += increment;
         step.increment_norm = increment.l2_norm();
@@ -108,7 +112,14 @@ namespace Setae
         // Where fibers swing, one may press on the other for a while, more than
         // any equilibrium would: only its end has to be admissible.
         if (!step.evaluation.is_valid || step.evaluation.gaps.smallest <= 0.)
-          return step;
+          {
+            step.reason = step.evaluation.is_valid ?
+                            "fibers overlap, with the gap " +
+                              std::to_string(step.evaluation.gaps.smallest) :
+                            step.evaluation.reason;
+            return step;
+          }
+        step.reason    = "the energy grows";
         step.succeeded = step.evaluation.energy <= upper_bound;
         log({result.n_iterations,
              step.evaluation.residual_norm,
