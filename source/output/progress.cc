@@ -6,6 +6,7 @@
 #include <setae/output/progress.h>
 #include <setae/revision.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -103,22 +104,22 @@ namespace Setae
     constexpr double       largest_ratio = 1.5;
 
     last_steps.emplace_back(record.time, record.wall_time);
-    if (last_steps.size() <= n_steps)
-      return {};
     if (last_steps.size() > n_steps + 1)
       last_steps.pop_front();
-
     const double left = scene.end_time() - record.time;
-    if (left <= 0.)
+    if (last_steps.size() <= n_steps || left <= 0.)
       return {};
-    const auto &[begin, wall_time_at_begin] = last_steps.front();
-    const double by_last_steps =
-      left * (record.wall_time - wall_time_at_begin) / (record.time - begin);
-    const double by_all_steps = left * record.wall_time / record.time;
-    if (by_last_steps > largest_ratio * by_all_steps ||
-        by_all_steps > largest_ratio * by_last_steps)
+
+    const auto pace = [this](const unsigned int begin, const unsigned int end) {
+      const auto &[first_time, first_wall_time] = last_steps[begin];
+      const auto &[last_time, last_wall_time]   = last_steps[end];
+      return (last_wall_time - first_wall_time) / (last_time - first_time);
+    };
+    const double earlier = pace(0, n_steps / 2),
+                 later   = pace(n_steps / 2, n_steps);
+    if (std::max(earlier, later) > largest_ratio * std::min(earlier, later))
       return {};
-    return record.wall_time + by_last_steps;
+    return record.wall_time + left * pace(0, n_steps);
   }
 
 

@@ -70,7 +70,7 @@ TEST(Progress, EqualStepsTellTheTimeOfTheRunFromTheEleventhOn)
 TEST(Progress, StepsThatGrowOrShrinkTellNoTime)
 {
   Screen growing, shrinking;
-  for (unsigned int i = 0; i < 40; ++i)
+  for (int i = 0; i < 40; ++i)
     {
       EXPECT_FALSE(has_expected_time(growing.step(std::pow(1.5, i - 40.))));
       EXPECT_FALSE(

@@ -61,9 +61,9 @@ namespace Setae
     print_iteration(const std::string &what, const IterationReport &report);
 
     /**
-     * How long the whole run will have taken [s], if the pace of the last steps
-     * and that of the run tell about the same: not at the beginning, and not
-     * while steps grow or shrink by orders of magnitude.
+     * How long the whole run will have taken [s], if the last steps went on at
+     * an even pace: not at the beginning, and not while they grow or shrink by
+     * orders of magnitude.
      */
     std::optional<double>
     expected_time(const StepRecord &record);
