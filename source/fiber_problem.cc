@@ -7,6 +7,8 @@
 #include <setae/static_run.h>
 #include <setae/verification/verification.h>
 
+#include <sstream>
+
 namespace Setae
 {
   using namespace dealii;
@@ -60,10 +62,11 @@ namespace Setae
       return;
     const Evaluation initial =
       equations.evaluate(solution, 0., SupportIncrement::at_rest);
+    std::ostringstream gap;
+    gap << initial.gaps.smallest;
     AssertThrow(initial.gaps.smallest > 0.,
                 ExcInput("Fibers overlap initially: the gap " +
-                         equations.where(initial.gaps) + " is " +
-                         std::to_string(initial.gaps.smallest) +
+                         equations.where(initial.gaps) + " is " + gap.str() +
                          ", but must be positive."));
   }
 

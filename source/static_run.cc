@@ -95,11 +95,13 @@ namespace Setae
           {
             std::ostringstream message;
             message << "The load step from time " << steps.time() << " to "
-                    << record.time << " has no solution: " << result.reason
-                    << "; " << relaxed.reason
-                    << ". It has the size of 'load stepping/smallest step', "
+                    << record.time << " has no solution: " << result.reason;
+            if (relaxed.reason != result.reason)
+              message << "; " << relaxed.reason;
+            message << ". 'load stepping/smallest step', "
                     << scene.load_stepping.smallest_step
-                    << ". The states before it are on disk.";
+                    << ", allows no shorter one. The states before it are on "
+                       "disk.";
             AssertThrow(false, ExcRun(message.str()));
           }
         record.is_snap = true;

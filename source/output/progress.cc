@@ -128,8 +128,8 @@ namespace Setae
   Progress::print_step(const StepRecord &record)
   {
     std::ostringstream line;
-    line << "step " << std::setw(4) << record.step << "  t " << std::fixed
-         << std::setprecision(6) << record.time << "  dt " << std::scientific
+    line << "step " << std::setw(4) << record.step << "  t " << std::setw(10)
+         << std::left << record.time << std::right << "  dt " << std::scientific
          << std::setprecision(1) << record.step_size << "  iterations "
          << std::setw(2) << record.n_iterations;
     if (record.n_rejected > 0)

@@ -29,10 +29,11 @@ namespace Setae
     Files::on_first_rank(fibers.communicator, [&]() {
       directory = std::make_unique<OutputDirectory>(scene.output.directory,
                                                     origin.scene_file);
-      directory->begin("# " + mark_of_origin() + ", " +
-                       std::to_string(n_ranks) +
-                       " rank(s). The run was called as:\n# " +
-                       origin.command_line + "\n" + scene.used_parameters);
+      std::string text =
+        "# " + mark_of_origin() + ", " + std::to_string(n_ranks) + " rank(s)\n";
+      if (!origin.command_line.empty())
+        text += "# " + origin.command_line + "\n";
+      directory->begin(text + scene.used_parameters);
     });
   }
 

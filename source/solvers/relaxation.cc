@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace Setae
 {
@@ -113,10 +114,11 @@ namespace Setae
         // any equilibrium would: only its end has to be admissible.
         if (!step.evaluation.is_valid || step.evaluation.gaps.smallest <= 0.)
           {
-            step.reason = step.evaluation.is_valid ?
-                            "fibers overlap, with the gap " +
-                              std::to_string(step.evaluation.gaps.smallest) :
-                            step.evaluation.reason;
+            std::ostringstream text;
+            text << "fibers overlap, with the gap "
+                 << step.evaluation.gaps.smallest;
+            step.reason =
+              step.evaluation.is_valid ? text.str() : step.evaluation.reason;
             return step;
           }
         step.reason    = "the energy grows";
