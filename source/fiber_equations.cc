@@ -6,7 +6,7 @@
 #include <setae/assembly/interaction.h>
 #include <setae/base/exceptions.h>
 #include <setae/fiber_equations.h>
-#include <setae/solvers/linear_solver.h>
+#include <setae/fibers/cross_section.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,16 +18,64 @@ namespace Setae
 
   namespace
   {
-    /** The largest distance of a node from the first one [length]. */
+    /** The largest distance of a node from the origin [length]. */
     double
-    extent(const State &state)
+    extent(const std::vector<HermiteCell<>> &cells)
     {
-      double             largest = 0.;
-      const Tensor<1, 3> origin  = state.current.front().coefficients[0];
-      for (const HermiteCell<> &cell : state.current)
+      double largest = 0.;
+      for (const HermiteCell<> &cell : cells)
         for (const unsigned int a : {0, 2})
-          largest = std::max(largest, (cell.coefficients[a] - origin).norm());
+          largest = std::max(largest, cell.coefficients[a].norm());
       return largest;
+    }
+
+    /** DynamicSystem::unit_displacements() of some unknowns, in their order. */
+    std::vector<double>
+    units_of_displacement(const FiberSystem &fibers, const IndexSet &dofs)
+    {
+      std::vector<double> result(dofs.n_elements(), 1.);
+      for (unsigned int cell = 0; cell < fibers.initial.size(); ++cell)
+        for (const unsigned int tangent : {3, 9})
+          for (unsigned int c = 0; c < 3; ++c)
+            {
+              const auto dof = fibers.cell_dofs[cell][tangent + c];
+              if (dof != numbers::invalid_dof_index && dofs.is_element(dof))
+                result[dofs.index_within_set(dof)] = fibers.initial[cell].h;
+            }
+      return result;
+    }
+
+    /** EA / h of the cells at the unknowns of this rank, in their order. */
+    std::vector<double>
+    axial_stiffness_of(const FiberSystem &fibers)
+    {
+      std::vector<double> result(fibers.owned_dofs.n_elements(), 0.);
+      for (unsigned int cell = 0; cell < fibers.initial.size(); ++cell)
+        for (const auto dof : fibers.cell_dofs[cell])
+          if (dof != numbers::invalid_dof_index &&
+              fibers.owned_dofs.is_element(dof) && !fibers.is_rigid(cell))
+            result[fibers.owned_dofs.index_within_set(dof)] =
+              circular_section(fibers.parameters_of_cell(cell)).axial /
+              fibers.initial[cell].h;
+      return result;
+    }
+
+    /** EI / l^2 of the softest fiber that is not rigid, 0 if all are. */
+    double
+    least_bending_force(const FiberSystem &fibers)
+    {
+      double least = std::numeric_limits<double>::infinity();
+      for (const Fiber &fiber : fibers.fibers)
+        if (!fibers.is_rigid(fiber.first_cell))
+          {
+            const double length = fiber.arc_length.back();
+            least               = std::min(least,
+                             circular_section(
+                               fibers.parameters_of_cell(fiber.first_cell))
+                                 .bending /
+                               (length * length));
+          }
+      return std::isfinite(least) ? least : 0.;
     }
   } // namespace
 
@@ -40,8 +88,13 @@ namespace Setae
     , timer(timer)
     , supports(fibers)
     , system(fibers)
+    , solver(scene.newton.linear_solver)
     , all_dofs(complete_index_set(fibers.dof_handler.n_dofs()))
     , everywhere(fibers.owned_dofs, all_dofs, communicator)
+    , units(units_of_displacement(fibers, fibers.owned_dofs))
+    , axial_stiffness(axial_stiffness_of(fibers))
+    , initial_extent(extent(fibers.initial))
+    , least_force(least_bending_force(fibers))
   {
     setup_terms();
     if (scene.dynamics.is_on())
@@ -121,7 +174,16 @@ namespace Setae
                                                fibers.owned_dofs,
                                                communicator,
                                                all_dofs);
+    solver.clear();
     system.reinit_matrix(pattern);
+
+    const std::vector<double> all_units =
+      units_of_displacement(fibers, all_dofs);
+    const Epetra_Map &columns =
+      system.tangent_matrix.trilinos_matrix().ColMap();
+    inverse_column_units.resize(columns.NumMyElements());
+    for (int i = 0; i < columns.NumMyElements(); ++i)
+      inverse_column_units[i] = 1. / all_units[columns.GID(i)];
   }
 
 
@@ -132,6 +194,7 @@ namespace Setae
                            const SupportIncrement support_increment)
   {
     everywhere        = solution;
+    evaluated_time    = time;
     const State state = fibers.state(everywhere, time);
     find_pairs(state);
 
@@ -159,6 +222,7 @@ namespace Setae
                                   const InertiaForce *inertia_force,
                                   Evaluation         &evaluation)
   {
+    solver.clear();
     system.start(request, constraints);
     has_product = std::any_of(terms.begin(), terms.end(), [](const auto &term) {
       return term->has_tangent_product();
@@ -193,15 +257,81 @@ namespace Setae
     for (const double energy : evaluation.energies)
       evaluation.energy += energy;
 
-    Vector free_residual(system.residual);
-    supports.at_rest().set_zero(free_residual);
-    evaluation.residual_norm = free_residual.l2_norm();
+    evaluation.residual_norm = force_norm(system.residual);
+    evaluation.force_scale =
+      std::max(std::sqrt(
+                 Utilities::MPI::sum(system.sum_of_squares, communicator)),
+               least_force);
 
-    // Stiffness times the round-off of a coordinate.
+    // Stiffness times the round-off of a coordinate: not of any that a fiber
+    // may come to that has got lost.
+    constexpr double largest_growth = 10.;
     if (request >= Request::tangent)
-      evaluation.round_off = std::numeric_limits<double>::epsilon() *
-                             system.tangent_matrix.linfty_norm() *
-                             extent(state);
+      evaluation.round_off =
+        std::numeric_limits<double>::epsilon() * largest_stiffness() *
+        std::min(extent(state.current), largest_growth * initial_extent);
+  }
+
+
+
+  double
+  FiberEquations::force_norm(Vector forces) const
+  {
+    supports.at_rest().set_zero(forces);
+    double sum = 0.;
+    for (unsigned int i = 0; i < units.size(); ++i)
+      {
+        const double force = forces.begin()[i] / units[i];
+        sum += force * force;
+      }
+    return std::sqrt(Utilities::MPI::sum(sum, communicator));
+  }
+
+
+
+  double
+  FiberEquations::increment_norm(const Vector &increment) const
+  {
+    double sum = 0.;
+    for (unsigned int i = 0; i < units.size(); ++i)
+      {
+        const double displacement = increment.begin()[i] * units[i];
+        sum += displacement * displacement;
+      }
+    return std::sqrt(Utilities::MPI::sum(sum, communicator));
+  }
+
+
+
+  double
+  FiberEquations::length_scale() const
+  {
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const Fiber &fiber : fibers.fibers)
+      smallest =
+        std::min(smallest, fibers.parameters_of_cell(fiber.first_cell).radius);
+    return smallest;
+  }
+
+
+
+  double
+  FiberEquations::largest_stiffness() const
+  {
+    const Epetra_CrsMatrix &matrix  = system.tangent_matrix.trilinos_matrix();
+    double                  largest = 0.;
+    for (int row = 0; row < matrix.NumMyRows(); ++row)
+      {
+        int     n;
+        double *values;
+        int    *columns;
+        matrix.ExtractMyRowView(row, n, values, columns);
+        double sum = 0.;
+        for (int k = 0; k < n; ++k)
+          sum += std::abs(values[k]) * inverse_column_units[columns[k]];
+        largest = std::max(largest, sum / units[row]);
+      }
+    return Utilities::MPI::max(largest, communicator);
   }
 
 
@@ -249,7 +379,8 @@ namespace Setae
   FiberEquations::solve(const Vector &right_hand_side, Vector &result)
   {
     TimerOutput::Scope section(timer, "solve");
-    const LinearSolver solver(scene.newton.linear_solver);
+    if (!solver.factorize(system.tangent_matrix))
+      return false;
     if (has_product)
       {
         Vector reduced(right_hand_side);
@@ -266,10 +397,10 @@ namespace Setae
           supports.at_rest().set_zero(free);
           tangent_product(free, product);
         };
-        if (!solver.solve(system.tangent_matrix, of_free, reduced, result))
+        if (!solver.solve(of_free, reduced, result))
           return false;
       }
-    else if (!solver.solve(system.tangent_matrix, right_hand_side, result))
+    else if (!solver.solve(right_hand_side, result))
       return false;
     (increment_at_rest ? supports.at_rest() : increment_constraints)
       .distribute(result);
@@ -297,7 +428,13 @@ namespace Setae
   bool
   FiberEquations::solve(Vector &increment)
   {
-    return solve(system.right_hand_side, increment);
+    const bool is_solved = solve(system.right_hand_side, increment);
+
+    // Once a load step, by its predictor, or where it matters at once. With
+    // inertia, every motion meets with a resistance.
+    if (!inertia && (!increment_at_rest || !is_solved))
+      check_free_fibers();
+    return is_solved;
   }
 
 
@@ -305,7 +442,8 @@ namespace Setae
   double
   FiberEquations::add_damping(const Vector &coefficients, const Vector &motion)
   {
-    auto  &matrix = system.tangent_matrix;
+    auto &matrix = system.tangent_matrix;
+    solver.clear();
     Vector force(motion);
     force.scale(coefficients);
     for (const auto i : fibers.owned_dofs)
@@ -317,8 +455,7 @@ namespace Setae
     system.right_hand_side -= free_force;
 
     free_force += system.residual;
-    supports.at_rest().set_zero(free_force);
-    return free_force.l2_norm();
+    return force_norm(free_force);
   }
 
 

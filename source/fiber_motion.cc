@@ -37,9 +37,7 @@ namespace Setae
     supports.at_rest().set_zero(free_force);
     system.right_hand_side -= free_force;
 
-    Vector free_residual(system.residual);
-    supports.at_rest().set_zero(free_residual);
-    return free_residual.l2_norm();
+    return force_norm(system.residual);
   }
 
 
@@ -70,18 +68,7 @@ namespace Setae
   FiberEquations::unit_displacements() const
   {
     Vector result(fibers.owned_dofs, communicator);
-    for (unsigned int cell = 0; cell < fibers.initial.size(); ++cell)
-      for (unsigned int i = 0; i < 12; ++i)
-        {
-          const auto dof = fibers.cell_dofs[cell][i];
-          if (dof != numbers::invalid_dof_index &&
-              fibers.owned_dofs.is_element(dof))
-            {
-              const bool is_tangent = (i / 3) % 2 == 1;
-              result(dof)           = is_tangent ? fibers.initial[cell].h : 1.;
-            }
-        }
-    result.compress(VectorOperation::insert);
+    std::copy(units.begin(), units.end(), result.begin());
     return result;
   }
 
@@ -111,6 +98,7 @@ namespace Setae
 
     // The matrix is that of the mass alone.
     has_product = false;
+    solver.clear();
     system.start(Request::tangent, supports.at_rest());
     inertia->add(zero, 1., system);
     system.finish();

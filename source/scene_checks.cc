@@ -379,13 +379,13 @@ namespace Setae
             "load stepping/growth",
             steps.growth,
             "at least 1");
-    require(newton.residual_tolerance > 0.,
-            "newton/residual tolerance",
-            newton.residual_tolerance,
+    require(newton.relative_residual_tolerance > 0.,
+            "newton/relative residual tolerance",
+            newton.relative_residual_tolerance,
             "positive");
-    require(newton.increment_tolerance > 0.,
-            "newton/increment tolerance",
-            newton.increment_tolerance,
+    require(newton.relative_increment_tolerance > 0.,
+            "newton/relative increment tolerance",
+            newton.relative_increment_tolerance,
             "positive");
     require(full_quadrature.tolerance > 0.,
             "full 6D quadrature/tolerance",

@@ -189,14 +189,30 @@ namespace Setae
   void
   NewtonParameters::add_parameters(ParameterHandler &prm)
   {
+    prm.add_parameter("relative residual tolerance",
+                      relative_residual_tolerance,
+                      "Largest norm of the residual relative to the forces of "
+                      "all cells and pairs, and to what bends the softest "
+                      "fiber, EI/length^2; positive. Where round-off of stiff "
+                      "fibers leaves more, that counts.",
+                      non_negative());
+    prm.add_parameter("relative increment tolerance",
+                      relative_increment_tolerance,
+                      "Largest norm of the last increment relative to the "
+                      "smallest radius; positive.",
+                      non_negative());
     prm.add_parameter("residual tolerance",
                       residual_tolerance,
-                      "Largest Euclidean norm of the residual [force]; where "
-                      "round-off of stiff fibers leaves more, that counts.",
+                      "Instead of the relative one, the largest Euclidean norm "
+                      "of the residual, moments being divided by the length of "
+                      "their cell [force]; 0 takes the relative one.",
                       non_negative());
     prm.add_parameter("increment tolerance",
                       increment_tolerance,
-                      "Largest Euclidean norm of the last increment.",
+                      "Instead of the relative one, the largest Euclidean norm "
+                      "of the last increment, changes of tangents being "
+                      "multiplied by the length of their cell [length]; 0 "
+                      "takes the relative one.",
                       non_negative());
     prm.add_parameter("iterations",
                       max_n_iterations,

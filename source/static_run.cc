@@ -33,10 +33,10 @@ namespace Setae
       }).solve(equations, solution, 0.);
     AssertThrow(initial.converged,
                 ExcRun("There is no equilibrium at time 0 near the fibers as "
-                       "they are given: " +
-                       initial.reason +
-                       ". Fibers that start in equilibrium, and loads and "
-                       "interactions that grow from zero with t, have one."));
+                       "they are given (loads and interactions may grow from "
+                       "zero with t): " +
+                       initial.reason + "."));
+    equations.check_free_fibers();
     visit(StepRecord{}, initial, solution);
 
     while (!steps.is_finished())
@@ -104,6 +104,7 @@ namespace Setae
                        "disk.";
             AssertThrow(false, ExcRun(message.str()));
           }
+        equations.check_free_fibers();
         record.is_snap = true;
         steps.restart();
         return relaxed;

@@ -11,6 +11,7 @@
 #include <setae/assembly/strain_energy.h>
 #include <setae/assembly/supports.h>
 #include <setae/solvers/dynamic_system.h>
+#include <setae/solvers/linear_solver.h>
 
 #include <memory>
 #include <string>
@@ -47,6 +48,21 @@ namespace Setae
 
     double
     largest_displacement(const Vector &increment) const override;
+
+    double
+    increment_norm(const Vector &increment) const override;
+
+    /** The smallest radius. */
+    double
+    length_scale() const override;
+
+    /**
+     * Make sure that the matrix of the last evaluation resists every motion.
+     *
+     * @throws ExcRun with the fiber that is free, if one is.
+     */
+    void
+    check_free_fibers();
 
     // For motions, in fiber_motion.cc.
 
@@ -160,6 +176,28 @@ namespace Setae
     void
     judge(Evaluation &evaluation) const;
 
+    /** The norm of forces on the free unknowns [force]. */
+    double
+    force_norm(Vector forces) const;
+
+    /** The largest row sum of the matrix, per displacement [force/length]. */
+    double
+    largest_stiffness() const;
+
+    // Whether fibers can move without a force, in free_fibers.cc.
+
+    double
+    axial_force(const Vector &motion) const;
+
+    double
+    soften(Vector &motion);
+
+    Vector
+    irregular_forces() const;
+
+    [[noreturn]] void
+    refuse_free_fiber(const Vector &motion) const;
+
     const FiberSystem   &fibers;
     const Scene         &scene;
     const MPI_Comm       communicator;
@@ -168,6 +206,7 @@ namespace Setae
     Supports                 supports;
     std::unique_ptr<Inertia> inertia; ///< none in a static scene
     GlobalSystem             system;
+    LinearSolver             solver; ///< with the factors of its matrix
 
     /** Whether terms have left something out of the tangent matrix. */
     bool has_product = false;
@@ -176,6 +215,19 @@ namespace Setae
     mutable Vector                    everywhere; ///< a solution, on all ranks
     dealii::AffineConstraints<double> increment_constraints;
     bool                              increment_at_rest = true;
+
+    /** unit_displacements() of the unknowns of this rank, and the inverse ones
+     * of the columns of its part of the matrix. */
+    std::vector<double> units, inverse_column_units;
+
+    /** EA over the length of a cell at each of these unknowns [force/length].
+     */
+    std::vector<double> axial_stiffness;
+
+    double evaluated_time = 0.;
+
+    double initial_extent; ///< of all nodes from the origin [length]
+    double least_force;    ///< that bends the softest fiber [force]
   };
 } // namespace Setae
 

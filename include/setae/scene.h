@@ -161,12 +161,14 @@ namespace Setae
   /** How the equilibrium of one load step is found. */
   struct NewtonParameters
   {
-    double       residual_tolerance  = 1e-7;
-    double       increment_tolerance = 1e-8;
-    unsigned int max_n_iterations    = 30;
-    double       largest_increment   = 0.;
-    std::string  linear_solver       = "Amesos_Klu";
-    bool         log_iterations      = false;
+    double       relative_residual_tolerance  = 1e-7;
+    double       relative_increment_tolerance = 1e-7;
+    double       residual_tolerance           = 0.;
+    double       increment_tolerance          = 0.;
+    unsigned int max_n_iterations             = 30;
+    double       largest_increment            = 0.;
+    std::string  linear_solver                = "Amesos_Klu";
+    bool         log_iterations               = false;
 
     void
     add_parameters(dealii::ParameterHandler &prm);

@@ -31,6 +31,7 @@ namespace Setae
     this->request     = request;
     this->constraints = &constraints;
     residual          = 0.;
+    sum_of_squares    = 0.;
     if (request >= Request::tangent)
       {
         tangent_matrix  = 0.;
@@ -80,9 +81,29 @@ namespace Setae
 
 
 
+  template <unsigned int n>
+  void
+  GlobalSystem::count_forces(const unsigned int    cell,
+                             const LocalSystem<n> &local,
+                             const unsigned int    first)
+  {
+    const double *const r      = local.residual.data() + first;
+    double              forces = 0., moments = 0.;
+    for (unsigned int c = 0; c < 3; ++c)
+      {
+        forces += r[c] * r[c] + r[6 + c] * r[6 + c];
+        moments += r[3 + c] * r[3 + c] + r[9 + c] * r[9 + c];
+      }
+    const double h = fibers.initial[cell].h;
+    sum_of_squares += forces + moments / (h * h);
+  }
+
+
+
   void
   GlobalSystem::add(const unsigned int cell, const LocalSystem<12> &local)
   {
+    count_forces(cell, local, 0);
     add<12>(fibers.cell_dofs[cell], local);
   }
 
@@ -93,6 +114,8 @@ namespace Setae
                     const unsigned int     target,
                     const LocalSystem<24> &local)
   {
+    count_forces(source, local, 0);
+    count_forces(target, local, 12);
     std::array<types::global_dof_index, 24> dofs;
     std::copy(fibers.cell_dofs[source].begin(),
               fibers.cell_dofs[source].end(),

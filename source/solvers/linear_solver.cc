@@ -54,18 +54,70 @@ namespace Setae
 
 
 
-  bool
-  LinearSolver::solve(const Matrix &A,
-                      const Vector &right_hand_side,
-                      Vector       &result) const
+  struct LinearSolver::Factors
   {
+    explicit Factors(const std::string &type)
+      : solver(control,
+               TrilinosWrappers::SolverDirect::AdditionalData(false, type))
+    {}
+
+    SolverControl                  control; // means nothing to a direct solver
+    TrilinosWrappers::SolverDirect solver;
+  };
+
+
+
+  LinearSolver::LinearSolver(const std::string &type)
+    : type(type)
+  {}
+
+
+
+  LinearSolver::~LinearSolver() = default;
+
+
+
+  bool
+  LinearSolver::factorize(const Matrix &A)
+  {
+    if (factors)
+      return true;
+    bool is_regular = true;
+    try
+      {
+        matrix  = &A;
+        factors = std::make_unique<Factors>(type);
+        factors->solver.initialize(A);
+      }
+    catch (const std::exception &)
+      {
+        is_regular = false;
+      }
+    is_regular =
+      Utilities::MPI::min(is_regular ? 1 : 0, A.get_mpi_communicator()) == 1;
+    if (!is_regular)
+      clear();
+    return is_regular;
+  }
+
+
+
+  void
+  LinearSolver::clear()
+  {
+    factors.reset();
+  }
+
+
+
+  bool
+  LinearSolver::solve(const Vector &right_hand_side, Vector &result)
+  {
+    Assert(factors, ExcNotInitialized());
     bool is_solved = true;
     try
       {
-        SolverControl                  control;
-        TrilinosWrappers::SolverDirect solver(
-          control, TrilinosWrappers::SolverDirect::AdditionalData(false, type));
-        solver.solve(A, result, right_hand_side);
+        factors->solver.solve(result, right_hand_side);
       }
     catch (const std::exception &)
       {
@@ -77,26 +129,21 @@ namespace Setae
 
 
   bool
-  LinearSolver::solve(const Matrix  &A,
-                      const Product &B,
+  LinearSolver::solve(const Product &B,
                       const Vector  &right_hand_side,
-                      Vector        &result) const
+                      Vector        &result)
   {
+    Assert(factors, ExcNotInitialized());
     bool is_solved = true;
     try
       {
-        SolverControl                  ignored;
-        TrilinosWrappers::SolverDirect direct(
-          ignored, TrilinosWrappers::SolverDirect::AdditionalData(false, type));
-        direct.initialize(A);
-
         // With the preconditioner on the left, the residual that counts is in
         // the units of the solution.
-        const Inverse inverse{direct};
+        const Inverse inverse{factors->solver};
         inverse.vmult(result, right_hand_side);
         ReductionControl    control(100, 1e-14 * result.l2_norm(), 1e-10);
         SolverGMRES<Vector> gmres(control);
-        gmres.solve(Sum{A, B}, result, right_hand_side, inverse);
+        gmres.solve(Sum{*matrix, B}, result, right_hand_side, inverse);
       }
     catch (const std::exception &)
       {

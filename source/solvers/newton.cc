@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 The Setae authors
 
+#include <setae/solvers/convergence.h>
 #include <setae/solvers/newton.h>
 
 #include <algorithm>
@@ -36,11 +37,7 @@ namespace Setae
     double       reference_norm      = std::numeric_limits<double>::infinity();
     unsigned int reference_iteration = 0;
 
-    // In stiff fibers, round-off may keep the residual above its tolerance.
-    const auto tolerance = [this](const Evaluation &evaluation) {
-      return std::max(parameters.residual_tolerance, evaluation.round_off);
-    };
-
+    Convergence  convergence(parameters, system);
     SolverResult result;
     Vector       current(solution), increment(solution), trial(solution);
     Evaluation   state = system.evaluate(current, time, supports);
@@ -84,7 +81,7 @@ namespace Setae
             next = system.evaluate(trial, time, SupportIncrement::at_rest);
             const bool decreases =
               next.residual_norm <= (1. - 1e-4 * factor) * largest_norm ||
-              next.residual_norm < tolerance(next);
+              convergence.has_small_residual(next);
             if (next.is_valid && (is_predictor || decreases))
               break;
             if (is_predictor || halvings == max_n_halvings)
@@ -107,16 +104,15 @@ namespace Setae
           }
         const bool is_stalled =
           result.n_iterations - reference_iteration >= patience &&
-          state.residual_norm > tolerance(state);
+          !convergence.has_small_residual(state);
 
-        const double increment_norm = factor * increment.l2_norm();
+        const double increment_norm = factor * system.increment_norm(increment);
         log({result.n_iterations,
              state.residual_norm,
              increment_norm,
              factor,
              state.gaps.smallest});
-        if (state.residual_norm < tolerance(state) &&
-            increment_norm < parameters.increment_tolerance)
+        if (convergence.is_reached(state, increment_norm, factor < 1.))
           {
             result.evaluation = state;
             result.converged  = state.is_admissible;
@@ -127,13 +123,15 @@ namespace Setae
           }
         if (is_stalled)
           {
-            result.reason = "the residual does not decrease";
+            result.reason = "the residual does not decrease (" +
+                            convergence.distance(state) + ")";
             return result;
           }
       }
     result.evaluation = state;
     result.reason     = "no convergence in " +
-                    std::to_string(parameters.max_n_iterations) + " iterations";
+                    std::to_string(parameters.max_n_iterations) +
+                    " iterations (" + convergence.distance(state) + ")";
     return result;
   }
 } // namespace Setae

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 The Setae authors
 
+#include <setae/solvers/convergence.h>
 #include <setae/solvers/relaxation.h>
 
 #include <algorithm>
@@ -27,6 +28,7 @@ namespace Setae
     constexpr double       growth = 4., reduction = .125;
     constexpr unsigned int max_n_iterations = 500;
 
+    Convergence  convergence(parameters, system);
     SolverResult result;
     Vector       current(solution), coefficients(solution);
     Evaluation   state =
@@ -61,9 +63,7 @@ namespace Setae
         state       = step.evaluation;
         upper_bound = state.energy + 1e-12 * std::abs(state.energy);
         step_size *= growth;
-        if (state.residual_norm <
-              std::max(parameters.residual_tolerance, state.round_off) &&
-            step.increment_norm < parameters.increment_tolerance)
+        if (convergence.is_reached(state, step.increment_norm, false))
           {
             result.evaluation = state;
             result.converged  = state.is_admissible;
@@ -107,7 +107,7 @@ namespace Setae
           }
         current += increment;
         motion += increment;
-        step.increment_norm = increment.l2_norm();
+        step.increment_norm = system.increment_norm(increment);
         step.evaluation =
           system.evaluate(current, time, SupportIncrement::at_rest);
         // Where fibers swing, one may press on the other for a while, more than

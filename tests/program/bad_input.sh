@@ -129,8 +129,10 @@ dynamics/rho infinity|1.1|0...1
 dynamics/rho infinity|-0.1|Double 0...1
 dynamics/largest order|6|1...5
 newton/iterations|0|1...
-newton/residual tolerance|0|positive
-newton/increment tolerance|0|positive
+newton/relative residual tolerance|0|positive
+newton/relative increment tolerance|0|positive
+newton/residual tolerance|-1|Double 0
+newton/increment tolerance|-1|Double 0
 newton/linear solver|Umfpack|Amesos_Klu
 newton/log iterations|2|Bool
 output/interval|-1|Double 0

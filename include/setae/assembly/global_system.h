@@ -56,7 +56,22 @@ namespace Setae
     dealii::TrilinosWrappers::MPI::Vector  right_hand_side;
     dealii::TrilinosWrappers::MPI::Vector  residual;
 
+    /**
+     * The sum of the squares of what cells and pairs of cells of this rank add
+     * to the residual, moments over the length of their cell [force^2]: how
+     * large the forces are that balance each other in it.
+     */
+    double sum_of_squares = 0.;
+
   private:
+    /** Count the forces of a cell among the local ones that begin at @p first.
+     */
+    template <unsigned int n>
+    void
+    count_forces(const unsigned int    cell,
+                 const LocalSystem<n> &local,
+                 const unsigned int    first);
+
     template <unsigned int n>
     void
     add(const std::array<dealii::types::global_dof_index, n> &dofs,

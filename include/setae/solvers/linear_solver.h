@@ -8,6 +8,7 @@
 #include <deal.II/lac/trilinos_vector.h>
 
 #include <functional>
+#include <memory>
 #include <string>
 
 namespace Setae
@@ -28,27 +29,40 @@ namespace Setae
     using Product = std::function<void(const Vector &x, Vector &result)>;
 
     /** @param type a direct solver of Trilinos' Amesos */
-    explicit LinearSolver(std::string type)
-      : type(std::move(type))
-    {}
+    explicit LinearSolver(const std::string &type);
+    ~LinearSolver();
 
-    /** @return Whether A is regular, the same on all ranks. */
+    /**
+     * Take the factors of @p A for all solutions until the next call, unless
+     * they are there already. The matrix must live as long.
+     *
+     * @return Whether A is regular, the same on all ranks.
+     */
     bool
-    solve(const Matrix &A, const Vector &right_hand_side, Vector &result) const;
+    factorize(const Matrix &A);
+
+    /** Forget the factors: the matrix changes. */
+    void
+    clear();
+
+    /** @return Whether the solution is finite, the same on all ranks. */
+    bool
+    solve(const Vector &right_hand_side, Vector &result);
 
     /**
      * Solve for A + B to round-off.
      *
-     * @return Whether A is regular and GMRES converged, the same on all ranks.
+     * @return Whether GMRES converged, the same on all ranks.
      */
     bool
-    solve(const Matrix  &A,
-          const Product &B,
-          const Vector  &right_hand_side,
-          Vector        &result) const;
+    solve(const Product &B, const Vector &right_hand_side, Vector &result);
 
   private:
-    const std::string type;
+    struct Factors;
+
+    const std::string        type;
+    std::unique_ptr<Factors> factors;
+    const Matrix            *matrix = nullptr;
   };
 } // namespace Setae
 

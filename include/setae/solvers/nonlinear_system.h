@@ -17,8 +17,15 @@ namespace Setae
   /** What is known of a state after an evaluation, the same on every rank. */
   struct Evaluation
   {
-    double residual_norm = 0.; ///< of the free unknowns [force]
+    /** Of the free unknowns, moments over the length of their cell [force]. */
+    double residual_norm = 0.;
     double energy        = 0.; ///< the sum [energy]
+
+    /**
+     * What the residual is small in comparison with [force]: the forces of all
+     * cells and pairs of cells, and no less than what bends the softest fiber.
+     */
+    double force_scale = 0.;
 
     /** What round-off leaves in the residual, however small it is [force]. */
     double round_off = 0.;
@@ -93,6 +100,23 @@ namespace Setae
     /** The largest displacement of a node in an increment [length]. */
     virtual double
     largest_displacement(const Vector &increment) const = 0;
+
+    /**
+     * The Euclidean norm of an increment, changes of tangents times the length
+     * of their cell [length].
+     */
+    virtual double
+    increment_norm(const Vector &increment) const
+    {
+      return increment.l2_norm();
+    }
+
+    /** The length that an increment is small in comparison with [length]. */
+    virtual double
+    length_scale() const
+    {
+      return 1.;
+    }
   };
 
 
