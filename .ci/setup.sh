@@ -26,6 +26,9 @@ have() {
     libbenchmark-dev) [[ -e /usr/include/benchmark/benchmark.h ]] ;;
     ninja-build) command -v ninja >/dev/null ;;
     gnuplot-nox) command -v gnuplot >/dev/null ;;
+    python3-matplotlib)
+      [[ -e /usr/lib/python3/dist-packages/matplotlib/__init__.py ]]
+      ;;
     *) command -v "$1" >/dev/null ;;
   esac
 }
@@ -38,7 +41,8 @@ why() {
     git) echo "revision printed by the program" ;;
     libgtest-dev) echo "unit tests" ;;
     numdiff) echo "comparison of the output of whole runs" ;;
-    gnuplot-nox) echo "plots" ;;
+    gnuplot-nox) echo "plots of the benchmarks" ;;
+    python3-matplotlib) echo "plots of runs" ;;
     libbenchmark-dev) echo "timings of kernels" ;;
   esac
 }

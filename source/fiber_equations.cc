@@ -353,6 +353,10 @@ namespace Setae
       {
         evaluation.is_valid = false;
         evaluation.reason   = "the residual is not finite";
+        for (unsigned int i = 0; i < terms.size(); ++i)
+          if (!std::isfinite(evaluation.energies[i]))
+            evaluation.reason =
+              "the energy of the " + terms[i]->name() + " is not finite";
       }
     evaluation.is_admissible = evaluation.is_valid;
     for (const auto &term : terms)
@@ -363,15 +367,15 @@ namespace Setae
           gaps.see(report);
         evaluation.gaps.see(gaps);
 
-        const double limit = term->smallest_admissible_gap();
-        if (gaps.smallest <= term->singular_gap())
-          evaluation.is_valid = false;
-        if (gaps.smallest < limit || !evaluation.is_valid)
+        const double limit       = term->smallest_admissible_gap();
+        const bool   is_singular = gaps.smallest <= term->singular_gap();
+        if (gaps.smallest < limit || is_singular)
           {
+            evaluation.is_valid      = evaluation.is_valid && !is_singular;
             evaluation.is_admissible = false;
             std::ostringstream text;
             text << "the gap is " << gaps.smallest << " " << where(gaps)
-                 << ", below " << limit;
+                 << ", below " << limit << term->small_gap_advice();
             evaluation.reason = text.str();
           }
       }

@@ -7,6 +7,8 @@
 #include <setae/static_run.h>
 #include <setae/verification/verification.h>
 
+#include <sstream>
+
 namespace Setae
 {
   using namespace dealii;
@@ -60,10 +62,11 @@ namespace Setae
       return;
     const Evaluation initial =
       equations.evaluate(solution, 0., SupportIncrement::at_rest);
+    std::ostringstream gap;
+    gap << initial.gaps.smallest;
     AssertThrow(initial.gaps.smallest > 0.,
                 ExcInput("Fibers overlap initially: the gap " +
-                         equations.where(initial.gaps) + " is " +
-                         std::to_string(initial.gaps.smallest) +
+                         equations.where(initial.gaps) + " is " + gap.str() +
                          ", but must be positive."));
   }
 
@@ -110,6 +113,9 @@ namespace Setae
                                         const Vector       &unknowns) {
       solution = unknowns;
       complete(record, result);
+      if (record.evaluation.gaps.smallest < summary.smallest_gap)
+        summary.smallest_gap_place = equations.where(record.evaluation.gaps) +
+                                     " in step " + std::to_string(record.step);
       summary.add(record);
       visit(record);
     };
@@ -127,10 +133,10 @@ namespace Setae
 
 
   RunSummary
-  FiberProblem::run()
+  FiberProblem::run(const RunOrigin &origin)
   {
     ResultFiles files(fibers, term_names(scene));
-    files.prepare();
+    files.prepare(origin);
     progress.print_header(fibers);
     for (const std::string &notice : fibers.notices)
       pcout << notice << std::endl;

@@ -5,6 +5,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <setae/base/exceptions.h>
+#include <setae/base/shared_exit.h>
 #include <setae/fiber_problem.h>
 #include <setae/revision.h>
 #include <setae/verification/calibration.h>
@@ -144,6 +145,35 @@ namespace
 
 
 
+  /** The arguments as a shell takes them, in one line. */
+  std::string
+  as_typed(const std::vector<std::string> &arguments)
+  {
+    const std::string plain = "abcdefghijklmnopqrstuvwxyz"
+                              "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./,=:+-@%";
+    std::string       line  = "setae";
+    for (const std::string &argument : arguments)
+      {
+        line += ' ';
+        if (!argument.empty() &&
+            argument.find_first_not_of(plain) == std::string::npos)
+          {
+            line += argument;
+            continue;
+          }
+        line += '\'';
+        for (const char c : argument)
+          if (c == '\'')
+            line += "'\\''";
+          else
+            line += c == '\n' || c == '\r' ? ' ' : c;
+        line += '\'';
+      }
+    return line;
+  }
+
+
+
   void
   run(const std::vector<std::string> &arguments)
   {
@@ -179,29 +209,10 @@ namespace
                                          std::cout);
           break;
         case CommandLine::Action::run:
-          Setae::FiberProblem(scene(), MPI_COMM_WORLD, std::cout).run();
+          Setae::FiberProblem(scene(), MPI_COMM_WORLD, std::cout)
+            .run({as_typed(arguments), command.scene});
           break;
       }
-  }
-
-
-
-  /** The sentence that an exception carries, in one line. */
-  std::string
-  sentence(const std::exception &exception)
-  {
-    std::ostringstream text;
-    if (const auto *own =
-          dynamic_cast<const dealii::ExceptionBase *>(&exception))
-      own->print_info(text);
-    else
-      text << exception.what();
-
-    std::istringstream words(text.str());
-    std::string        line, word;
-    while (words >> word)
-      line += (line.empty() ? "" : " ") + word;
-    return line;
   }
 } // namespace
 
@@ -211,15 +222,23 @@ int
 main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  Setae::SharedExit                        exit(MPI_COMM_WORLD);
   try
     {
       run({argv + 1, argv + argc});
     }
+  catch (const Setae::ExcOtherRank &)
+    {
+      return exit.failure("");
+    }
   catch (const std::exception &exception)
     {
-      if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-        std::cerr << "setae: " << sentence(exception) << std::endl;
-      return 1;
+      return exit.failure(Setae::one_line(exception));
     }
-  return 0;
+  catch (const int code)
+    {
+      return exit.failure("Trilinos has failed with the error " +
+                          std::to_string(code) + ".");
+    }
+  return exit.success();
 }

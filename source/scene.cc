@@ -356,6 +356,26 @@ namespace Setae
       scene.output.directory =
         "output-" + std::filesystem::path(file_name).stem().string();
 
+    // The saved parameters repeat the run from any folder, and into another
+    // one.
+    const std::string directory = scene.output.directory;
+    prm.enter_subsection("output");
+    prm.set("directory", "");
+    prm.leave_subsection();
+    scene.output.directory = directory;
+    prm.enter_subsection("fibers");
+    for (const FiberParameters &fiber : scene.fibers)
+      if (!fiber.mesh_file.empty())
+        {
+          const std::filesystem::path mesh_file = fiber.mesh_file;
+          prm.enter_subsection(fiber.name);
+          prm.set(
+            "mesh file",
+            std::filesystem::absolute(mesh_file).lexically_normal().string());
+          prm.leave_subsection();
+        }
+    prm.leave_subsection();
+
     std::ostringstream used;
     prm.print_parameters(used, ParameterHandler::ShortText);
     scene.used_parameters = used.str();

@@ -32,8 +32,10 @@ namespace Setae
       Newton(scene.newton, [](const IterationReport &) {
       }).solve(equations, solution, 0.);
     AssertThrow(initial.converged,
-                ExcRun("There is no equilibrium at time 0: " + initial.reason +
-                       "."));
+                ExcRun("There is no equilibrium at time 0 near the fibers as "
+                       "they are given (loads and interactions may grow from "
+                       "zero with t): " +
+                       initial.reason + "."));
     equations.check_free_fibers();
     visit(StepRecord{}, initial, solution);
 
@@ -43,6 +45,27 @@ namespace Setae
         const SolverResult result = solve_step(solution, record);
         visit(record, result, solution);
       }
+  }
+
+
+
+  SolverResult
+  StaticRun::relax(Vector &solution, const double time)
+  {
+    SolverResult result;
+    if (!scene.load_stepping.pass_instabilities)
+      result.reason =
+        "'load stepping/pass instabilities' is false, so no other "
+        "stable state is searched";
+    else if (!equations.has_potential())
+      result.reason =
+        "no other stable state is searched, because an interaction "
+        "has no potential";
+    else
+      result = Relaxation(scene.newton, [this](const IterationReport &report) {
+                 progress.print_relaxation(report);
+               }).solve(equations, solution, time);
+    return result;
   }
 
 
@@ -67,15 +90,20 @@ namespace Setae
         if (steps.reject())
           continue;
 
-        SolverResult relaxed = result;
-        if (scene.load_stepping.pass_instabilities && equations.has_potential())
-          relaxed = Relaxation(scene.newton, log)
-                      .solve(equations, solution, record.time);
-        std::ostringstream message;
-        message << "The load step from time " << steps.time() << " to "
-                << record.time << " has no solution: " << relaxed.reason
-                << ". The states before it are on disk.";
-        AssertThrow(relaxed.converged, ExcRun(message.str()));
+        const SolverResult relaxed = relax(solution, record.time);
+        if (!relaxed.converged)
+          {
+            std::ostringstream message;
+            message << "The load step from time " << steps.time() << " to "
+                    << record.time << " has no solution: " << result.reason;
+            if (relaxed.reason != result.reason)
+              message << "; " << relaxed.reason;
+            message << ". 'load stepping/smallest step', "
+                    << scene.load_stepping.smallest_step
+                    << ", allows no shorter one. The states before it are on "
+                       "disk.";
+            AssertThrow(false, ExcRun(message.str()));
+          }
         equations.check_free_fibers();
         record.is_snap = true;
         steps.restart();

@@ -38,7 +38,7 @@ def read(directory, name, time):
                for entry in xml.parse(collection).iter("DataSet")]
     last = outputs[-1] if time is None else min(
         outputs, key=lambda output: abs(output[0] - time))
-    reader = vtk.vtkXMLPUnstructuredGridReader()
+    reader = vtk.vtkXMLUnstructuredGridReader()
     reader.SetFileName(os.path.join(directory, last[1]))
     reader.Update()
     return reader.GetOutput()

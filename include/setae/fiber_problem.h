@@ -42,10 +42,11 @@ namespace Setae
      * Go through all load or time steps, and write the output directory of the
      * scene. The results of every step are on disk before the next one starts.
      *
-     * @throws ExcRun if a step has no solution, with what happened where.
+     * @throws ExcRun if a step has no solution, with what happened where;
+     * ExcParameter if the output directory cannot be used.
      */
     RunSummary
-    run();
+    run(const RunOrigin &origin = {});
 
     /**
      * All steps without writing anything; @p visit sees each one. For

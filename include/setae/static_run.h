@@ -33,6 +33,11 @@ namespace Setae
     run(Vector &solution, const StepVisitor &visit);
 
   private:
+    /** The overdamped motion to the next stable state, if the scene wants it.
+     */
+    SolverResult
+    relax(Vector &solution, const double time);
+
     SolverResult
     solve_step(Vector &solution, StepRecord &record);
 

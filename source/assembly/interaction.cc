@@ -142,6 +142,20 @@ namespace Setae
         return parameters.regularization;
       }
 
+      std::string
+      small_gap_advice() const override
+      {
+        const std::string section = "'interactions/" + parameters.name + "/";
+        if (is_contact)
+          return ", minus the smallest radius: raise " + section +
+                 "penalty' or take shorter steps";
+        if (parameters.regularization > 0.)
+          return ": lower " + section +
+                 "regularization gap' (0.3 of the equilibrium gap lets fibers "
+                 "press on each other) or take shorter steps";
+        return ", where they overlap: take shorter steps";
+      }
+
       double
       singular_gap() const override
       {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 The Setae authors
 
-#include <setae/base/exceptions.h>
+#include <setae/output/files.h>
 #include <setae/output/statistics.h>
 
-#include <fstream>
 #include <sstream>
 
 namespace Setae
@@ -92,7 +91,6 @@ namespace Setae
   void
   Statistics::write(const std::string &directory)
   {
-    const std::string  name = directory + "/statistics.txt";
     std::ostringstream text;
     table.write_text(
       text, dealii::TableHandler::table_with_separate_column_description);
@@ -104,10 +102,7 @@ namespace Setae
       if (is_new || line[0] != '#')
         new_text += line + '\n';
 
-    std::ofstream stream(name, is_new ? std::ios::trunc : std::ios::app);
-    stream << new_text << std::flush;
+    Files::append(directory + "/statistics.txt", new_text);
     is_new = false;
-    AssertThrow(stream.good(),
-                ExcRun("The file '" + name + "' cannot be written."));
   }
 } // namespace Setae

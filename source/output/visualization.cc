@@ -1,100 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 The Setae authors
 
-#include <deal.II/base/data_out_base.h>
-
+#include <setae/output/files.h>
+#include <setae/output/output_directory.h>
 #include <setae/output/visualization.h>
 
-#include <fstream>
+#include <iomanip>
+#include <sstream>
 
 namespace Setae
 {
   using namespace dealii;
-
-  namespace
-  {
-    /**
-     * Patches that are made elsewhere, with the names of their data. Vectors
-     * come first, three components each.
-     */
-    template <int dim>
-    class PatchOutput : public DataOutInterface<dim, 3>
-    {
-    public:
-      PatchOutput(const std::vector<std::string> &vector_names,
-                  const std::vector<std::string> &scalar_names)
-        : n_vectors(vector_names.size())
-      {
-        for (const std::string &name : vector_names)
-          names.insert(names.end(), 3, name);
-        names.insert(names.end(), scalar_names.begin(), scalar_names.end());
-      }
-
-      std::vector<DataOutBase::Patch<dim, 3>> patches;
-
-      /** Write all ranks' patches, return the name of the record. */
-      std::string
-      write_time(const std::string &directory,
-                 const std::string &name,
-                 const unsigned int counter,
-                 MPI_Comm           communicator) const
-      {
-        return this->write_vtu_with_pvtu_record(
-          directory, name, counter, communicator, 5, 1);
-      }
-
-    private:
-      const std::vector<DataOutBase::Patch<dim, 3>> &
-      get_patches() const override
-      {
-        return patches;
-      }
-
-      std::vector<std::string>
-      get_dataset_names() const override
-      {
-        return names;
-      }
-
-      std::vector<
-        std::tuple<unsigned int,
-                   unsigned int,
-                   std::string,
-                   DataComponentInterpretation::DataComponentInterpretation>>
-      get_nonscalar_data_ranges() const override
-      {
-        std::vector<
-          std::tuple<unsigned int,
-                     unsigned int,
-                     std::string,
-                     DataComponentInterpretation::DataComponentInterpretation>>
-          ranges;
-        for (unsigned int v = 0; v < n_vectors; ++v)
-          ranges.emplace_back(
-            3 * v,
-            3 * v + 2,
-            names[3 * v],
-            DataComponentInterpretation::component_is_part_of_vector);
-        return ranges;
-      }
-
-      unsigned int             n_vectors;
-      std::vector<std::string> names;
-    };
-
-
-
-    void
-    write_record(const std::string                                 &directory,
-                 const std::string                                 &name,
-                 const std::vector<std::pair<double, std::string>> &files)
-    {
-      std::ofstream stream(directory + name);
-      DataOutBase::write_pvd_record(stream, files);
-    }
-  } // namespace
-
-
 
   Visualization::Visualization(const FiberSystem &fibers,
                                const std::string &directory)
@@ -120,45 +36,34 @@ namespace Setae
   void
   Visualization::write_fibers(const State &state, const StrainEnergy &strain)
   {
-    PatchOutput<1>     output({"displacement", "tangent", "bending_moment"},
-                          {"radius", "axial_force", "fiber"});
-    const unsigned int n_data = 12, n = fibers.scene.output.n_subdivisions;
+    const unsigned int n = fibers.scene.output.n_subdivisions;
+    PointFields        points;
+    points.fields            = {{"displacement", 3},
+                                {"tangent", 3},
+                                {"bending_moment", 3},
+                                {"radius", 1},
+                                {"axial_force", 1},
+                                {"fiber", 1}};
+    points.n_points_of_chain = n + 1;
+    const auto add           = [&points](const Tensor<1, 3> &vector) {
+      for (unsigned int c = 0; c < 3; ++c)
+        points.values.push_back(vector[c]);
+    };
     for (const unsigned int cell : fibers.owned_cells)
-      {
-        const HermiteCell<>     &current = state.current[cell];
-        DataOutBase::Patch<1, 3> patch;
-        patch.patch_index          = output.patches.size();
-        patch.reference_cell       = ReferenceCells::Line;
-        patch.n_subdivisions       = n;
-        patch.vertices[0]          = Point<3>(current.position(0.));
-        patch.vertices[1]          = Point<3>(current.position(1.));
-        patch.points_are_available = true;
-        patch.data.reinit(n_data + 3, n + 1);
-        for (unsigned int i = 0; i <= n; ++i)
-          {
-            const double        x      = static_cast<double>(i) / n;
-            const Tensor<1, 3>  r      = current.position(x);
-            const Tensor<1, 3>  u      = state.displacement[cell].position(x);
-            const Tensor<1, 3>  t      = current.derivative(x);
-            const SectionForces forces = strain.section_forces(state, cell, x);
-            for (unsigned int c = 0; c < 3; ++c)
-              {
-                patch.data(c, i)          = u[c];
-                patch.data(3 + c, i)      = t[c] / t.norm();
-                patch.data(6 + c, i)      = forces.bending_moment[c];
-                patch.data(n_data + c, i) = r[c];
-              }
-            patch.data(9, i)  = fibers.parameters_of_cell(cell).radius;
-            patch.data(10, i) = forces.axial_force;
-            patch.data(11, i) = fibers.fiber_of_cell[cell];
-          }
-        output.patches.push_back(patch);
-      }
-    fiber_files.emplace_back(
-      state.time,
-      output.write_time(directory, "fibers", counter, fibers.communicator));
-    if (Utilities::MPI::this_mpi_process(fibers.communicator) == 0)
-      write_record(directory, "fibers.pvd", fiber_files);
+      for (unsigned int i = 0; i <= n; ++i)
+        {
+          const double        x      = static_cast<double>(i) / n;
+          const Tensor<1, 3>  t      = state.current[cell].derivative(x);
+          const SectionForces forces = strain.section_forces(state, cell, x);
+          add(state.current[cell].position(x));
+          add(state.displacement[cell].position(x));
+          add(t / t.norm());
+          add(forces.bending_moment);
+          points.values.push_back(fibers.parameters_of_cell(cell).radius);
+          points.values.push_back(forces.axial_force);
+          points.values.push_back(fibers.fiber_of_cell[cell]);
+        }
+    write_time("fibers", state.time, points, fiber_files);
   }
 
 
@@ -172,24 +77,41 @@ namespace Setae
     for (const auto &term : terms)
       term->add_site_forces(state, forces);
 
-    PatchOutput<0> output({"force_per_length"}, {"gap"});
+    PointFields points;
+    points.fields = {{"force_per_length", 3}, {"gap", 1}};
     for (const SiteForce &site : forces)
       {
-        DataOutBase::Patch<0, 3> patch;
-        patch.patch_index = output.patches.size();
-        patch.vertices[0] = Point<3>(site.position);
-        patch.data.reinit(4, 1);
-        for (unsigned int c = 0; c < 3; ++c)
-          patch.data(c, 0) = site.force[c];
-        patch.data(3, 0) = site.gap;
-        output.patches.push_back(patch);
+        for (const Tensor<1, 3> &vector : {site.position, site.force})
+          for (unsigned int c = 0; c < 3; ++c)
+            points.values.push_back(vector[c]);
+        points.values.push_back(site.gap);
       }
-    force_files.emplace_back(state.time,
-                             output.write_time(directory,
-                                               "interaction",
-                                               counter,
-                                               fibers.communicator));
-    if (Utilities::MPI::this_mpi_process(fibers.communicator) == 0)
-      write_record(directory, "interaction.pvd", force_files);
+    write_time("interaction", state.time, points, force_files);
+  }
+
+
+
+  void
+  Visualization::write_time(const std::string                           &name,
+                            const double                                 time,
+                            PointFields                                 &points,
+                            std::vector<std::pair<double, std::string>> &files)
+  {
+    // One file of all ranks: a full disk is noticed on the rank that tells.
+    const std::vector<std::vector<double>> values =
+      Utilities::MPI::gather(fibers.communicator, points.values);
+    Files::on_first_rank(fibers.communicator, [&]() {
+      points.values.clear();
+      for (const std::vector<double> &of_rank : values)
+        points.values.insert(points.values.end(),
+                             of_rank.begin(),
+                             of_rank.end());
+      std::ostringstream file;
+      file << name << '_' << std::setw(5) << std::setfill('0') << counter
+           << ".vtu";
+      Files::replace(directory + file.str(), vtu(points, mark_of_origin()));
+      files.emplace_back(time, file.str());
+      Files::replace(directory + name + ".pvd", pvd(files, mark_of_origin()));
+    });
   }
 } // namespace Setae

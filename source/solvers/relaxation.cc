@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace Setae
 {
@@ -51,7 +52,8 @@ namespace Setae
             if (step_size < smallest_step)
               {
                 result.reason = "the overdamped motion finds no state of lower "
-                                "energy";
+                                "energy, in its smallest step because " +
+                                step.reason;
                 return result;
               }
             continue;
@@ -99,7 +101,10 @@ namespace Setae
       {
         ++result.n_iterations;
         if (!system.solve(increment))
-          return step;
+          {
+            step.reason = "the tangent matrix is singular";
+            return step;
+          }
         current += increment;
         motion += increment;
         step.increment_norm = system.increment_norm(increment);
@@ -108,7 +113,15 @@ namespace Setae
         // Where fibers swing, one may press on the other for a while, more than
         // any equilibrium would: only its end has to be admissible.
         if (!step.evaluation.is_valid || step.evaluation.gaps.smallest <= 0.)
-          return step;
+          {
+            std::ostringstream text;
+            text << "fibers overlap, with the gap "
+                 << step.evaluation.gaps.smallest;
+            step.reason =
+              step.evaluation.is_valid ? text.str() : step.evaluation.reason;
+            return step;
+          }
+        step.reason    = "the energy grows";
         step.succeeded = step.evaluation.energy <= upper_bound;
         log({result.n_iterations,
              step.evaluation.residual_norm,

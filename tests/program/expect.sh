@@ -8,7 +8,7 @@
 
 set -uo pipefail
 
-setae=$1
+setae=$(realpath "$1")
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 work=$(mktemp -d)
 captured=$(mktemp -d)

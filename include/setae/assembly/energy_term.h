@@ -122,6 +122,16 @@ namespace Setae
       return -std::numeric_limits<double>::infinity();
     }
 
+    /**
+     * What the smallest admissible gap is and what can be changed where a gap
+     * is smaller, as the end of a sentence.
+     */
+    virtual std::string
+    small_gap_advice() const
+    {
+      return "";
+    }
+
     /** At this gap and below, the energy does not exist [length]. */
     virtual double
     singular_gap() const

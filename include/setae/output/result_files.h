@@ -4,6 +4,7 @@
 #ifndef setae_output_result_files_h
 #define setae_output_result_files_h
 
+#include <setae/output/output_directory.h>
 #include <setae/output/statistics.h>
 #include <setae/output/visualization.h>
 
@@ -13,6 +14,15 @@
 
 namespace Setae
 {
+  /** Where a run comes from. */
+  struct RunOrigin
+  {
+    std::string command_line; ///< to be told in the saved parameters
+    std::string scene_file;   ///< never overwritten
+  };
+
+
+
   /**
    * The output directory of a run: the parameters as they were used, the
    * statistics and, if the scene wants them, the fields. What add() has
@@ -25,13 +35,15 @@ namespace Setae
                 const std::vector<std::string> &term_names);
 
     /**
-     * Make the directory, and remove what an earlier run left there;
+     * Make the directory and take hold of it until the end of this object,
+     * remove what an earlier run left there, and save the parameters;
      * collective.
      *
-     * @throws ExcParameter if it cannot be written.
+     * @throws ExcParameter if it cannot be written, is in use, or if foreign
+     * files would be lost.
      */
     void
-    prepare() const;
+    prepare(const RunOrigin &origin);
 
     /** Add a load step; collective. */
     void
@@ -49,6 +61,8 @@ namespace Setae
     Statistics         statistics;
     Visualization      visualization;
     double             last_field_output;
+
+    std::unique_ptr<OutputDirectory> directory; ///< on the first rank
   };
 } // namespace Setae
 

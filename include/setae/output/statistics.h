@@ -29,7 +29,7 @@ namespace Setae
     void
     add(const StepRecord &record);
 
-    /** Append the step to the file, which the first call makes anew. */
+    /** Append the step to the file, which is empty before the first one. */
     void
     write(const std::string &directory);
 

@@ -107,8 +107,9 @@ namespace Setae
     unsigned int n_rejected_iterations = 0;
     unsigned int n_snaps               = 0;
     double       smallest_gap = std::numeric_limits<double>::infinity();
-    double       cpu_time     = 0.; ///< of this rank [s]
-    double       wall_time    = 0.; ///< [s]
+    std::string  smallest_gap_place; ///< between which fibers, and when
+    double       cpu_time  = 0.;     ///< of this rank [s]
+    double       wall_time = 0.;     ///< [s]
 
     void
     add(const StepRecord &record);

@@ -6,6 +6,7 @@
 
 #include <setae/assembly/energy_term.h>
 #include <setae/assembly/strain_energy.h>
+#include <setae/output/vtu.h>
 
 #include <string>
 #include <utility>
@@ -37,6 +38,13 @@ namespace Setae
     void
     write_forces(const State                                    &state,
                  const std::vector<std::unique_ptr<EnergyTerm>> &terms);
+
+    /** Write the @p points of all ranks, and add them to the @p files. */
+    void
+    write_time(const std::string                           &name,
+               const double                                 time,
+               PointFields                                 &points,
+               std::vector<std::pair<double, std::string>> &files);
 
     const FiberSystem &fibers;
     std::string        directory; ///< ends with '/'

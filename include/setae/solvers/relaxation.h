@@ -37,9 +37,10 @@ namespace Setae
     /** One step of the implicit Euler method. */
     struct Step
     {
-      bool       succeeded = false;
-      Evaluation evaluation;
-      double     increment_norm = 0.; ///< of its last iteration
+      bool        succeeded = false;
+      Evaluation  evaluation;
+      double      increment_norm = 0.; ///< of its last iteration
+      std::string reason;              ///< of a failure, in words
     };
 
     Step
