@@ -123,8 +123,14 @@ namespace Setae
       {
         record.time      = steps.next_time();
         record.step_size = steps.step_size();
-        const SolverResult result =
+        SolverResult result =
           method.try_step(system, record.time, record.step_size);
+        if (result.converged)
+          {
+            result.reason    = system.passage(method.motion().displacement,
+                                           method.trial().displacement);
+            result.converged = result.reason.empty();
+          }
 
         Balance     next;
         StepMeasure quality;
@@ -191,27 +197,37 @@ namespace Setae
   void
   DynamicRun::run_ida(const Motion &initial, const StepVisitor &visit)
   {
-    double last_time = 0.;
-    Ida(dynamics).run(system,
-                      initial,
-                      [&](const double       time,
-                          const Motion      &motion,
-                          const unsigned int n_solved) {
-                        SolverResult result;
-                        result.converged    = true;
-                        result.n_iterations = n_solved;
-                        result.evaluation   = evaluate(motion, time);
+    double last_time         = 0.;
+    Vector last_displacement = initial.displacement;
+    Ida(dynamics).run(
+      system,
+      initial,
+      [&](const double       time,
+          const Motion      &motion,
+          const unsigned int n_solved) {
+        const std::string passage =
+          system.passage(last_displacement, motion.displacement);
+        AssertThrow(passage.empty(),
+                    ExcRun("From time " + std::to_string(last_time) + " to " +
+                           std::to_string(time) + " " + passage +
+                           ": 'dynamics/time step' "
+                           "or 'dynamics/tolerance' is too "
+                           "large. The states before it are "
+                           "on disk."));
+        last_displacement = motion.displacement;
 
-                        StepRecord record;
-                        record.time      = time;
-                        record.step_size = time - last_time;
-                        last             = balance(motion,
-                                       time,
-                                       record.step_size,
-                                       result.evaluation);
-                        record.motion    = last.report;
-                        last_time        = time;
-                        visit(record, result, motion.displacement);
-                      });
+        SolverResult result;
+        result.converged    = true;
+        result.n_iterations = n_solved;
+        result.evaluation   = evaluate(motion, time);
+
+        StepRecord record;
+        record.time      = time;
+        record.step_size = time - last_time;
+        last = balance(motion, time, record.step_size, result.evaluation);
+        record.motion = last.report;
+        last_time     = time;
+        visit(record, result, motion.displacement);
+      });
   }
 } // namespace Setae

@@ -28,9 +28,10 @@ namespace Setae
   StaticRun::run(Vector &solution, const StepVisitor &visit)
   {
     // The fibers as they are given need not be in equilibrium.
-    const SolverResult initial =
-      Newton(scene.newton, [](const IterationReport &) {
-      }).solve(equations, solution, 0.);
+    const Vector as_given(solution);
+    SolverResult initial = Newton(scene.newton, [](const IterationReport &) {
+                           }).solve(equations, solution, 0.);
+    reject_passage(as_given, solution, initial);
     AssertThrow(initial.converged,
                 ExcRun("There is no equilibrium at time 0: " + initial.reason +
                        "."));
@@ -46,6 +47,27 @@ namespace Setae
 
 
 
+  /**
+   * A state that fibers reach only through each other is no solution, although
+   * the equations do not see it.
+   */
+  void
+  StaticRun::reject_passage(const Vector &begin,
+                            Vector       &solution,
+                            SolverResult &result) const
+  {
+    if (!result.converged)
+      return;
+    const std::string passage = equations.passage(begin, solution);
+    if (passage.empty())
+      return;
+    result.converged = false;
+    result.reason    = passage;
+    solution         = begin;
+  }
+
+
+
   SolverResult
   StaticRun::solve_step(Vector &solution, StepRecord &record)
   {
@@ -53,8 +75,9 @@ namespace Setae
       {
         record.time      = steps.next_time();
         record.step_size = steps.step_size();
-        const SolverResult result =
-          newton.solve(equations, solution, record.time);
+        const Vector begin(solution);
+        SolverResult result = newton.solve(equations, solution, record.time);
+        reject_passage(begin, solution, result);
         if (result.converged)
           {
             steps.accept(result.n_iterations);

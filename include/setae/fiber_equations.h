@@ -48,6 +48,9 @@ namespace Setae
     double
     largest_displacement(const Vector &increment) const override;
 
+    std::string
+    passage(const Vector &from, const Vector &to) const override;
+
     // For motions, in fiber_motion.cc.
 
     Evaluation

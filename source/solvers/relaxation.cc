@@ -43,7 +43,7 @@ namespace Setae
         coefficients.equ(1. / step_size, diagonal);
         const Step step =
           advance(system, next, coefficients, time, upper_bound, result);
-        if (!step.succeeded)
+        if (!step.succeeded || !system.passage(current, next).empty())
           {
             step_size *= reduction;
             if (step_size < smallest_step)

@@ -10,7 +10,9 @@
 #include <setae/assembly/global_system.h>
 #include <setae/interactions/line_sites.h>
 #include <setae/interactions/resultant.h>
+#include <setae/search/passage.h>
 
+#include <optional>
 #include <string>
 
 namespace Setae
@@ -127,6 +129,18 @@ namespace Setae
     singular_gap() const
     {
       return -std::numeric_limits<double>::infinity();
+    }
+
+    /**
+     * Where fibers would pass through each other on the straight way between
+     * two states, as far as this rank knows.
+     */
+    virtual std::optional<Passage>
+    find_passage(const State &from, const State &to) const
+    {
+      (void)from;
+      (void)to;
+      return {};
     }
 
     /**
