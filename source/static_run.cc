@@ -62,7 +62,9 @@ namespace Setae
     if (passage.empty())
       return;
     result.converged = false;
-    result.reason    = passage;
+    result.reason    = passage + "; smaller steps ('load stepping/smallest "
+                                 "step') or a stiffer contact may keep them "
+                                 "apart";
     solution         = begin;
   }
 
@@ -95,7 +97,10 @@ namespace Setae
                       .solve(equations, solution, record.time);
         std::ostringstream message;
         message << "The load step from time " << steps.time() << " to "
-                << record.time << " has no solution: " << relaxed.reason
+                << record.time << " has no solution: "
+                << (relaxed.reason == result.reason ?
+                      result.reason :
+                      result.reason + ", and " + relaxed.reason)
                 << ". The states before it are on disk.";
         AssertThrow(relaxed.converged, ExcRun(message.str()));
         record.is_snap = true;

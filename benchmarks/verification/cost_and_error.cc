@@ -67,7 +67,7 @@ namespace Setae
            << "subsection potential\nset law = " << law
            << "\nset source = first\nset target = second\nset exponents = "
            << exponent << "\nset prefactors = -1\nset cutoff = " << gap + 100.
-           << "\nset switch width = 0.1\nend\nend\n";
+           << "\nset switch width = 0.1\nset integration tolerance = 0\nend\nend\n";
       return Scene::read(text.str(), "benchmark.prm");
     }
 

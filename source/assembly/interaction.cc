@@ -6,6 +6,7 @@
 #include <setae/assembly/interaction_pass.h>
 #include <setae/assembly/interaction_points.h>
 #include <setae/assembly/section_kernels.h>
+#include <setae/assembly/unresolved_segment.h>
 
 #include <map>
 #include <type_traits>
@@ -36,6 +37,8 @@ namespace Setae
                  rule,
                  is_projected<Law>,
                  Law::is_long_range,
+                 is_contact,
+                 !has_offset,
                  kernels.largest_reach)
         , passes(fibers,
                  roles,
@@ -136,6 +139,20 @@ namespace Setae
       gaps() const override
       {
         return report;
+      }
+
+      std::string
+      unresolved_points(const State &state) const override
+      {
+        if (points.are_graded() || !(report.smallest < kernels.largest_cutoff))
+          return {};
+        return unresolved_segment(fibers,
+                                  parameters,
+                                  state,
+                                  report,
+                                  is_projected<Law>,
+                                  Law::is_long_range,
+                                  is_contact);
       }
 
       std::optional<Passage>

@@ -132,6 +132,17 @@ namespace Setae
     }
 
     /**
+     * A warning if the points that the scene sets are too far apart for the
+     * smallest gap of the last assemble() on this rank, in @p state; or nothing.
+     */
+    virtual std::string
+    unresolved_points(const State &state) const
+    {
+      (void)state;
+      return {};
+    }
+
+    /**
      * Where fibers would pass through each other on the straight way between
      * two states, as far as this rank knows.
      */
