@@ -117,8 +117,14 @@ namespace Setae
       {
         record.time      = steps.next_time();
         record.step_size = steps.step_size();
-        const SolverResult result =
+        SolverResult result =
           method.try_step(system, record.time, record.step_size);
+        if (result.converged)
+          {
+            result.reason    = system.passage(method.motion().displacement,
+                                           method.trial().displacement);
+            result.converged = result.reason.empty();
+          }
 
         StepMeasure quality;
         std::string reason = result.reason;
@@ -227,7 +233,8 @@ namespace Setae
   void
   DynamicRun::run_ida(const Motion &initial, const StepVisitor &visit)
   {
-    double last_time = 0.;
+    double last_time         = 0.;
+    Vector last_displacement = initial.displacement;
     Ida(dynamics).run(
       system,
       initial,
@@ -235,6 +242,18 @@ namespace Setae
           const Motion      &motion,
           const WorkMeter   &meter,
           const unsigned int n_solved) {
+        const std::string passage =
+          system.passage(last_displacement, motion.displacement);
+        AssertThrow(passage.empty(),
+                    ExcRun("From time " +
+                           dealii::Utilities::to_string(last_time) + " to " +
+                           dealii::Utilities::to_string(time) + " " + passage +
+                           ": 'dynamics/time step' "
+                           "or 'dynamics/tolerance' is too "
+                           "large. The states before it are "
+                           "on disk."));
+        last_displacement = motion.displacement;
+
         SolverResult result;
         result.converged    = true;
         result.n_iterations = n_solved;

@@ -516,6 +516,28 @@ namespace Setae
 
 
 
+  std::string
+  FiberEquations::passage(const Vector &from, const Vector &to) const
+  {
+    const State begin = state(from, 0.), end = state(to, 0.);
+    Passage     first;
+    first.fraction = std::numeric_limits<double>::infinity();
+    for (const auto &term : terms)
+      for (const Passage &passage : Utilities::MPI::all_gather(
+             communicator, term->find_passage(begin, end).value_or(first)))
+        if (passage.is_before(first))
+          first = passage;
+    if (std::isinf(first.fraction))
+      return {};
+    GapReport place;
+    place.source = first.source;
+    place.target = first.target;
+    place.x      = first.x;
+    return "fibers would pass through each other " + where(place);
+  }
+
+
+
   bool
   FiberEquations::has_potential() const
   {

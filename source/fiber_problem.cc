@@ -132,6 +132,22 @@ namespace Setae
 
 
 
+  /** Once for each interaction, on the screen. */
+  void
+  FiberProblem::warn_of_points()
+  {
+    const State state = this->state();
+    for (const auto &term : equations.terms)
+      if (warned_terms.count(term.get()) == 0)
+        for (const std::string &warning :
+             Utilities::MPI::all_gather(communicator,
+                                        term->unresolved_points(state)))
+          if (!warning.empty() && warned_terms.insert(term.get()).second)
+            progress.print_warning(warning);
+  }
+
+
+
   RunSummary
   FiberProblem::run(const RunOrigin &origin)
   {
@@ -143,6 +159,7 @@ namespace Setae
     run([&](const StepRecord &record) {
       output_results(record, files);
       progress.print_step(record);
+      warn_of_points();
     });
     progress.print_summary(summary);
     if (scene.verification != "none")

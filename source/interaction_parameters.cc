@@ -169,8 +169,11 @@ namespace Setae
                       integration_tolerance,
                       "Halve integration segments where fibers are near until "
                       "the points on each are enough for about this relative "
-                      "error, and keep them long elsewhere. 0 leaves all "
-                      "segments equal.",
+                      "error, and keep them long elsewhere; for contact, of "
+                      "the force at a penetration of a two-hundredth of the "
+                      "sum of the radii. 0 leaves all segments equal, as they "
+                      "always are with the midpoint rule and for laws of the "
+                      "offset.",
                       Patterns::Double(0., .1));
     prm.add_parameter("frame",
                       frame,

@@ -274,12 +274,15 @@ namespace Setae
       const std::string path =
         "interactions/" + interaction.name + "/integration tolerance";
       const double tolerance = interaction.integration_tolerance;
-      require(tolerance == 0. || can_be_graded,
+      const bool   is_default =
+        tolerance == InteractionParameters().integration_tolerance;
+      require(tolerance == 0. || is_default || can_be_graded,
               path,
               tolerance,
               "0 for the law '" + interaction.law +
                 "', whose segments are equal");
-      require(tolerance == 0. || interaction.integration_rule == "gauss",
+      require(tolerance == 0. || is_default ||
+                interaction.integration_rule == "gauss",
               path,
               tolerance,
               "0 with the integration rule '" + interaction.integration_rule +
@@ -357,9 +360,7 @@ namespace Setae
       Laws::dispatch(interaction.law, [&](auto tag) {
         using Law = typename decltype(tag)::type;
         check_offset(interaction, Law::depends_on == Invariants::gap_offset);
-        check_grading(interaction,
-                      Law::depends_on != Invariants::gap_offset &&
-                        !std::is_same_v<Law, PenaltyContact>);
+        check_grading(interaction, Law::depends_on != Invariants::gap_offset);
         if (Law::is_long_range || std::is_same_v<Law, PenaltyContact>)
           check_no_gap(interaction);
         if constexpr (std::is_same_v<Law, PenaltyContact>)

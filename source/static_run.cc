@@ -28,9 +28,10 @@ namespace Setae
   StaticRun::run(Vector &solution, const StepVisitor &visit)
   {
     // The fibers as they are given need not be in equilibrium.
-    const SolverResult initial =
-      Newton(scene.newton, [](const IterationReport &) {
-      }).solve(equations, solution, 0.);
+    const Vector as_given(solution);
+    SolverResult initial = Newton(scene.newton, [](const IterationReport &) {
+                           }).solve(equations, solution, 0.);
+    reject_passage(as_given, solution, initial);
     AssertThrow(initial.converged,
                 ExcRun("There is no equilibrium at time 0 near the fibers as "
                        "they are given (loads and interactions may grow from "
@@ -45,6 +46,29 @@ namespace Setae
         const SolverResult result = solve_step(solution, record);
         visit(record, result, solution);
       }
+  }
+
+
+
+  /**
+   * A state that fibers reach only through each other is no solution, although
+   * the equations do not see it.
+   */
+  void
+  StaticRun::reject_passage(const Vector &begin,
+                            Vector       &solution,
+                            SolverResult &result) const
+  {
+    if (!result.converged)
+      return;
+    const std::string passage = equations.passage(begin, solution);
+    if (passage.empty())
+      return;
+    result.converged = false;
+    result.reason    = passage + "; smaller steps ('load stepping/instability "
+                                 "resolution') or a stiffer contact may keep "
+                                 "them apart";
+    solution         = begin;
   }
 
 
@@ -77,8 +101,9 @@ namespace Setae
       {
         record.time      = steps.next_time();
         record.step_size = steps.step_size();
-        const SolverResult result =
-          newton.solve(equations, solution, record.time);
+        const Vector begin(solution);
+        SolverResult result = newton.solve(equations, solution, record.time);
+        reject_passage(begin, solution, result);
         if (result.converged)
           {
             steps.accept(result.n_iterations);
@@ -98,8 +123,8 @@ namespace Setae
                     << record.time << " has no solution: " << result.reason;
             if (relaxed.reason != result.reason)
               message << "; " << relaxed.reason;
-            message << ". 'load stepping/smallest step', "
-                    << scene.load_stepping.smallest_step
+            message << ". 'load stepping/instability resolution', "
+                    << scene.load_stepping.instability_resolution
                     << ", allows no shorter one. The states before it are on "
                        "disk.";
             AssertThrow(false, ExcRun(message.str()));

@@ -64,6 +64,7 @@ subsection interactions
     set exponents            = 1
     set prefactors           = 1
     set integration segments = 1
+    set integration tolerance = 0
     set gauss points         = 5
     set far field tolerance  = )"
          << tolerance << R"(

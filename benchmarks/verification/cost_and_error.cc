@@ -63,11 +63,12 @@ namespace Setae
              << (is_first ? "s - l/2; 0; 0" : geometry.centerline)
              << "\nset length = " << length
              << "\nset radius = 1\nset cells = " << n_cells << "\nend\n";
-      text << "end\nsubsection interactions\nset names = potential\n"
-           << "subsection potential\nset law = " << law
-           << "\nset source = first\nset target = second\nset exponents = "
-           << exponent << "\nset prefactors = -1\nset cutoff = " << gap + 100.
-           << "\nset switch width = 0.1\nend\nend\n";
+      text
+        << "end\nsubsection interactions\nset names = potential\n"
+        << "subsection potential\nset law = " << law
+        << "\nset source = first\nset target = second\nset exponents = "
+        << exponent << "\nset prefactors = -1\nset cutoff = " << gap + 100.
+        << "\nset switch width = 0.1\nset integration tolerance = 0\nend\nend\n";
       return Scene::read(text.str(), "benchmark.prm");
     }
 

@@ -64,6 +64,9 @@ namespace Setae
     void
     check_free_fibers();
 
+    std::string
+    passage(const Vector &from, const Vector &to) const override;
+
     // For motions, in fiber_motion.cc.
 
     Evaluation

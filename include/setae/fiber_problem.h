@@ -15,6 +15,7 @@
 
 #include <functional>
 #include <ostream>
+#include <set>
 
 namespace Setae
 {
@@ -94,6 +95,9 @@ namespace Setae
     complete(StepRecord &record, const SolverResult &result);
 
     void
+    warn_of_points();
+
+    void
     output_results(const StepRecord &record, ResultFiles &files);
 
     const Scene                 scene;
@@ -109,6 +113,8 @@ namespace Setae
     double         time = 0.; ///< of the solution
 
     RunSummary summary;
+
+    std::set<const EnergyTerm *> warned_terms;
   };
 } // namespace Setae
 

@@ -114,7 +114,7 @@ namespace Setae
     std::string               integration_rule      = "gauss";
     unsigned int              n_segments            = 2;
     unsigned int              n_gauss_points        = 10;
-    double                    integration_tolerance = 0.;
+    double                    integration_tolerance = 1e-4;
     std::string               frame                 = "averaged";
     bool                      interaction_moments   = true;
     std::vector<unsigned int> section_points        = {4, 9};

@@ -41,6 +41,11 @@ namespace Setae
     SolverResult
     solve_step(Vector &solution, StepRecord &record);
 
+    void
+    reject_passage(const Vector &begin,
+                   Vector       &solution,
+                   SolverResult &result) const;
+
     const Scene      &scene;
     FiberEquations   &equations;
     Progress         &progress;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 The Setae authors
 
+#include <setae/assembly/curve_gaps.h>
 #include <setae/assembly/far_field.h>
 #include <setae/assembly/interaction_pass.h>
 #include <setae/assembly/interaction_points.h>
 #include <setae/assembly/section_kernels.h>
+#include <setae/assembly/unresolved_segment.h>
 
 #include <map>
 #include <type_traits>
@@ -35,6 +37,8 @@ namespace Setae
                  rule,
                  is_projected<Law>,
                  Law::is_long_range,
+                 is_contact,
+                 !has_offset,
                  kernels.largest_reach)
         , passes(fibers,
                  roles,
@@ -42,6 +46,10 @@ namespace Setae
                  kernels.largest_radius,
                  kernels.largest_reach,
                  skin())
+        , curve_gaps(fibers,
+                     roles,
+                     has_finite_targets<Law>(parameters),
+                     kernels.largest_cutoff)
       {
         if (parameters.far_field_tolerance > 0.)
           far_field =
@@ -91,6 +99,7 @@ namespace Setae
         report                = {};
         const double strength = this->strength(state.time);
         const double energy   = add_pairs(state, strength, request, system);
+        see_curves(state);
 
         // Also what does not act yet works as soon as it grows.
         energy_of_unit_strength =
@@ -130,6 +139,29 @@ namespace Setae
       gaps() const override
       {
         return report;
+      }
+
+      std::string
+      unresolved_points(const State &state) const override
+      {
+        if (points.are_graded() || !(report.smallest < kernels.largest_cutoff))
+          return {};
+        return unresolved_segment(fibers,
+                                  parameters,
+                                  state,
+                                  report,
+                                  is_projected<Law>,
+                                  Law::is_long_range,
+                                  is_contact);
+      }
+
+      std::optional<Passage>
+      find_passage(const State &from, const State &to) const override
+      {
+        return curve_gaps.find_passage(from,
+                                       to,
+                                       passes.first().sources,
+                                       passes.first().targets);
       }
 
       double
@@ -377,6 +409,36 @@ namespace Setae
         return energy;
       }
 
+      /** Gaps between the points, after those at the points have been seen. */
+      void
+      see_curves(const State &state)
+      {
+        for (const InteractionPass &pass : passes)
+          for (unsigned int i = 0; i < pass.sources.size(); ++i)
+            for (const unsigned int target : partners(pass)(i))
+              {
+                const unsigned int source = pass.sources[i];
+                if (!curve_gaps.may_be_smaller(state, source, target, report))
+                  continue;
+                // Zones are parts of the curves that the first pass has seen.
+                if (!pass.of_zones)
+                  curve_gaps.see(state, source, target, report);
+                if constexpr (is_projected<Law>)
+                  if (has_finite_targets<Law>(parameters))
+                    for (const LineSite &site :
+                         curve_gaps.sites_at_ends(state, source))
+                      report.see({kernels.between(source, target, pass.of_zones)
+                                    .gap(site,
+                                         state.current[target],
+                                         fibers.place_of_cell(target)),
+                                  source,
+                                  target,
+                                  site.x});
+              }
+        if (far_field)
+          far_field->see_gaps(state, curve_gaps, report);
+      }
+
       /** @return Whether any site of the source is within reach. */
       bool
       add_pair(const State                 &state,
@@ -451,6 +513,7 @@ namespace Setae
       const SectionKernels<Law> kernels;
       const InteractionPoints   points;
       InteractionPasses         passes;
+      const CurveGaps           curve_gaps;
       std::unique_ptr<FarField> far_field; ///< none if all pairs are summed
       GapReport                 report;
 

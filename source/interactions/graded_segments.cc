@@ -4,14 +4,24 @@
 #include <setae/interactions/graded_segments.h>
 #include <setae/search/hull_distance.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Setae
 {
   namespace
   {
-    /** Halving ends here, wherever two centerlines meet. */
-    constexpr double shortest = 1. / 4096;
+    /**
+     * Halving ends at this part of a cell, wherever two centerlines meet, but
+     * in cells much longer than their radii at this part of the core.
+     */
+    constexpr double shortest = 1. / 4096, shortest_of_core = 1. / 1024;
+
+    /** The penetration over the core at which contact has its error. */
+    constexpr double penetration = 1. / 200;
+
+    /** The error of a kink, see the class. */
+    constexpr double kink = .6;
 
     /** High powers of the gap err by more than the asymptotic estimate. */
     constexpr double safety = 20.;
@@ -37,8 +47,12 @@ namespace Setae
   GradedSegments::GradedSegments(const double       tolerance,
                                  const unsigned int n_points,
                                  const unsigned int n_parts,
-                                 const double       smallest_gap)
-    : length_factor(2. / std::sinh(std::log(safety / tolerance) / (2. * n_points)))
+                                 const double       smallest_gap,
+                                 const bool         is_contact)
+    : is_contact(is_contact)
+    , length_factor(is_contact ? n_points * std::sqrt(tolerance / kink) :
+                                 2. / std::sinh(std::log(safety / tolerance) /
+                                                (2. * n_points)))
     , n_parts(n_parts)
     , smallest_gap(smallest_gap)
   {}
@@ -61,9 +75,23 @@ namespace Setae
 
 
   bool
-  GradedSegments::Part::may_be_halved() const
+  GradedSegments::Part::may_be_halved(const double core) const
   {
-    return segment.end - segment.begin > shortest;
+    return segment.end - segment.begin > shortest ||
+           (core > 0. && length > shortest_of_core * core);
+  }
+
+
+
+  double
+  GradedSegments::Part::turn() const
+  {
+    const Tensor<1, 3> mean   = (points[3] - points[0]) / 3.;
+    double             square = 0.;
+    for (unsigned int k = 0; k < 3; ++k)
+      square =
+        std::max(square, (points[k + 1] - points[k] - mean).norm_square());
+    return std::sqrt(square / mean.norm_square());
   }
 
 
@@ -79,10 +107,32 @@ namespace Setae
 
 
   double
-  GradedSegments::largest_length(const double distance, const double core) const
+  GradedSegments::largest_length(const double distance,
+                                 const double core,
+                                 const double slope) const
   {
+    if (is_contact)
+      return length_factor * core *
+             std::sqrt(penetration * (2. - penetration)) / slope;
     const double gap = std::max(smallest_gap, distance - core);
-    return length_factor * std::sqrt(gap * (gap + 2. * core));
+    return length_factor * std::sqrt(gap * (gap + 2. * core)) / slope;
+  }
+
+
+
+  double
+  GradedSegments::slope(const Part  &part,
+                        const Part  &of_neighbor,
+                        const double core)
+  {
+    const Tensor<1, 3> u = part.points[3] - part.points[0];
+    const Tensor<1, 3> v = of_neighbor.points[3] - of_neighbor.points[0];
+    const double sine   = cross_product_3d(u, v).norm() / (u.norm() * v.norm());
+    const double turn_1 = part.turn(), turn_2 = of_neighbor.turn();
+    const double bound = sine + turn_1 + turn_2;
+    return std::sqrt(bound * bound +
+                     2. * core *
+                       (turn_1 / part.length + turn_2 / of_neighbor.length));
   }
 
 
@@ -109,15 +159,36 @@ namespace Setae
                          std::vector<Segment>        &segments) const
   {
     bool is_good = true;
-    if (part.may_be_halved())
-      for (const Neighbor &neighbor : neighbors)
-        is_good = is_good &&
-                  !is_too_long(part, neighbor, Part(neighbor.points, {0., 1.}));
+    for (const Neighbor &neighbor : neighbors)
+      is_good = is_good &&
+                (!part.may_be_halved(neighbor.core) ||
+                 !is_too_long(part, neighbor, Part(neighbor.points, {0., 1.})));
     if (is_good)
       segments.push_back(part.segment);
     else
       for (const Part &half : halves(cell, part))
         divide(cell, neighbors, half, segments);
+  }
+
+
+
+  /**
+   * Whether the surfaces overlap for certain, so that there is no law to
+   * resolve: the state is none, and points would be wasted.
+   */
+  bool
+  GradedSegments::overlaps(const Part     &part,
+                           const Neighbor &neighbor,
+                           const Part     &of_neighbor) const
+  {
+    if (is_contact || smallest_gap > 0. || neighbor.core == 0.)
+      return false;
+    for (const unsigned int i : {0, 3})
+      for (const unsigned int j : {0, 3})
+        if ((part.points[i] - of_neighbor.points[j]).norm_square() <
+            neighbor.core * neighbor.core)
+          return true;
+    return false;
   }
 
 
@@ -129,10 +200,16 @@ namespace Setae
                               const Part     &of_neighbor) const
   {
     const double distance = hull_distance(part.points, of_neighbor.points);
-    if (distance >= neighbor.reach ||
-        part.length <= largest_length(distance, neighbor.core))
+    if (distance >= (is_contact ? neighbor.core : neighbor.reach) ||
+        part.length <=
+          largest_length(distance,
+                         neighbor.core,
+                         is_contact ? slope(part, of_neighbor, neighbor.core) :
+                                      1.) ||
+        overlaps(part, neighbor, of_neighbor))
       return false;
-    if (of_neighbor.length <= part.length || !of_neighbor.may_be_halved())
+    if (of_neighbor.length <= part.length ||
+        !of_neighbor.may_be_halved(neighbor.core))
       return true;
     for (const Part &half : halves(neighbor.points, of_neighbor))
       if (is_too_long(part, neighbor, half))
@@ -174,7 +251,8 @@ namespace Setae
     const double limit       = largest_length(distance, neighbor.core);
     const bool   halve_first = part.length >= of_neighbor.length;
     if (std::max(part.length, of_neighbor.length) <= limit ||
-        !(halve_first ? part : of_neighbor).may_be_halved())
+        overlaps(part, neighbor, of_neighbor) ||
+        !(halve_first ? part : of_neighbor).may_be_halved(neighbor.core))
       pairs.emplace_back(part.segment, of_neighbor.segment);
     else if (halve_first)
       for (const Part &half : halves(cell, part))

@@ -125,6 +125,14 @@ namespace Setae
 
 
   void
+  Progress::print_warning(const std::string &warning)
+  {
+    out << "warning: " << warning << std::endl;
+  }
+
+
+
+  void
   Progress::print_step(const StepRecord &record)
   {
     std::ostringstream line;

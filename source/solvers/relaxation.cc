@@ -44,8 +44,13 @@ namespace Setae
       {
         Vector next(current);
         coefficients.equ(1. / step_size, diagonal);
-        const Step step =
+        Step step =
           advance(system, next, coefficients, time, upper_bound, result);
+        if (step.succeeded)
+          {
+            step.reason    = system.passage(current, next);
+            step.succeeded = step.reason.empty();
+          }
         if (!step.succeeded)
           {
             step_size *= reduction;

@@ -27,6 +27,7 @@ subsection interactions
     set exponents            = 1, 3
     set prefactors           = 1, 0.2
     set integration segments = 1
+    set integration tolerance = 0
     set gauss points         = 3
     set skin                 = 0.05
     set far field tolerance  = )" +

@@ -42,6 +42,7 @@ subsection interactions
     set cutoff               = 0.4
     set switch width         = 0.5
     set integration segments = 1
+    set integration tolerance = 0
     set prefactors           = -1e-2, 1e-13
 )" + interaction +
            R"(
@@ -70,6 +71,7 @@ subsection interactions
     set cutoff               = 0.8
     set switch width         = 0.9
     set integration segments = 2
+    set integration tolerance = 0
     set prefactors           = -1, 1e-9
 )" + interaction +
            R"(
@@ -136,6 +138,7 @@ subsection interactions
     set cutoff               = 0.3
     set switch width         = 0.5
     set integration segments = 20
+    set integration tolerance = 0
     set exponents            = 6
     set prefactors           = -1e-2
 )" + interaction +

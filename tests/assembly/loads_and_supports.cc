@@ -208,6 +208,7 @@ subsection interactions
   subsection adhesion
     set prefactors         = -1e-7, 5e-25
     set cutoff             = 0.1
+    set integration tolerance = 0
     set two half passes    = )" +
                      passes + "\n    set law = " + law + "\n  end\nend")
       .evaluation.energies[1];

@@ -40,6 +40,7 @@ namespace
                     "set source = first\nset target = second\n"
                     "set exponents = 1\nset prefactors = 1\n"
                     "set distribution = surface\nset integration segments = 8\n"
+                    "set integration tolerance = 0\n"
                     "end\nend\n",
                   "charged.prm");
     const FiberSystem fibers(scene, MPI_COMM_SELF);

@@ -10,7 +10,9 @@
 #include <setae/assembly/global_system.h>
 #include <setae/interactions/line_sites.h>
 #include <setae/interactions/resultant.h>
+#include <setae/search/passage.h>
 
+#include <optional>
 #include <string>
 
 namespace Setae
@@ -137,6 +139,29 @@ namespace Setae
     singular_gap() const
     {
       return -std::numeric_limits<double>::infinity();
+    }
+
+    /**
+     * A warning if the points that the scene sets are too far apart for the
+     * smallest gap of the last assemble() on this rank, in @p state; or nothing.
+     */
+    virtual std::string
+    unresolved_points(const State &state) const
+    {
+      (void)state;
+      return {};
+    }
+
+    /**
+     * Where fibers would pass through each other on the straight way between
+     * two states, as far as this rank knows.
+     */
+    virtual std::optional<Passage>
+    find_passage(const State &from, const State &to) const
+    {
+      (void)from;
+      (void)to;
+      return {};
     }
 
     /**

@@ -7,6 +7,7 @@
 #include <deal.II/base/array_view.h>
 #include <deal.II/base/quadrature.h>
 
+#include <setae/assembly/curve_gaps.h>
 #include <setae/assembly/global_system.h>
 #include <setae/assembly/interaction_roles.h>
 #include <setae/far_field/cluster_tree.h>
@@ -115,11 +116,28 @@ namespace Setae
                 const std::vector<LineSite> &sites,
                 const double                 strength) const;
 
+    /** Let a report see the curves of far pairs of cells. */
+    void
+    see_gaps(const State     &state,
+             const CurveGaps &curve_gaps,
+             GapReport       &report) const;
+
     /** The order of the expansion for a given bound of the error. */
     static unsigned int
     order_for(const double tolerance);
 
   private:
+    void
+    see_gaps(const unsigned int A,
+             const unsigned int B,
+             const State       &state,
+             const CurveGaps   &curve_gaps,
+             GapReport         &report) const;
+
+    /** A bound from below for the distance of the cells of two clusters. */
+    double
+    least_distance(const unsigned int A, const unsigned int B) const;
+
     /** Whether some cells of two clusters do not interact for their nearness.
      */
     bool

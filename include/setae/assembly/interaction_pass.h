@@ -82,11 +82,11 @@ namespace Setae
 
     const bool                of_zones;
     std::vector<unsigned int> sources; ///< owned
+    std::vector<unsigned int> targets; ///< of all ranks
 
   private:
-    const InteractionRoles   &roles;
-    NeighborList              neighbors;
-    std::vector<unsigned int> targets; ///< of all ranks
+    const InteractionRoles &roles;
+    NeighborList            neighbors;
   };
 
 

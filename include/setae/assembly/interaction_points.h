@@ -29,6 +29,8 @@ namespace Setae
      * @param rule points of a cell with equal segments
      * @param is_projected whether the target has no points of its own
      * @param is_long_range whether the law is regular where surfaces touch
+     * @param is_contact whether the law begins where surfaces touch
+     * @param can_be_graded whether segments need not be equal
      * @param reach largest distance of points that interact [length]
      */
     InteractionPoints(const FiberSystem           &fibers,
@@ -36,6 +38,8 @@ namespace Setae
                       const dealii::Quadrature<1> &rule,
                       const bool                   is_projected,
                       const bool                   is_long_range,
+                      const bool                   is_contact,
+                      const bool                   can_be_graded,
                       const double                 reach)
       : fibers(fibers)
       , rule(rule)
@@ -44,12 +48,14 @@ namespace Setae
       , is_long_range(is_long_range)
       , reach(reach)
     {
-      if (parameters.integration_tolerance > 0.)
+      if (parameters.integration_tolerance > 0. && can_be_graded &&
+          parameters.integration_rule == "gauss")
         grading =
           std::make_unique<GradedSegments>(parameters.integration_tolerance,
                                            parameters.n_gauss_points,
                                            parameters.n_segments,
-                                           parameters.regularization);
+                                           parameters.regularization,
+                                           is_contact);
     }
 
     /**
@@ -93,6 +99,13 @@ namespace Setae
           for (const unsigned int target : targets)
             function(sources[i], target, sites, whole);
         }
+    }
+
+    /** Whether segments are not equal. */
+    bool
+    are_graded() const
+    {
+      return grading != nullptr;
     }
 
     /** The sites on a part of a target. */

@@ -77,6 +77,7 @@ namespace Setae
     }
 
     double largest_reach  = 0.; ///< [length]
+    double largest_cutoff = 0.; ///< a gap [length]
     double largest_radius = 0.; ///< [length]
     double smallest_radius =
       std::numeric_limits<double>::infinity(); ///< [length]
@@ -97,6 +98,9 @@ namespace Setae
         parameters, pair.potential, sections, pair.law, source_is_zone);
       kernels.emplace(std::make_tuple(source, target, source_is_zone), kernel);
       largest_reach = std::max(largest_reach, kernel.reach());
+      largest_cutoff =
+        std::max(largest_cutoff,
+                 kernel.reach() - sections.radius_1 - sections.radius_2);
       for (const double radius : {sections.radius_1, sections.radius_2})
         {
           largest_radius  = std::max(largest_radius, radius);

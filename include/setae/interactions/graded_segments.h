@@ -32,6 +32,17 @@ namespace Setae
    * for segments of at most
    * @f[ \ell = 2\lambda / \sinh\frac{\ln(20/\varepsilon)}{2n}, @f]
    * where the factor of 20 was found necessary for the high powers of the gap.
+   *
+   * Contact has no singularity but ends with a kink where the surfaces meet, at
+   * @f$\pm\lambda/\sin\alpha@f$ with @f$\lambda=\sqrt{p(2c-p)}@f$ for the
+   * penetration p. Points that are h apart make a relative error of about
+   * @f$0.6\,(h\sin\alpha/\lambda)^2@f$ of the force, so that
+   * @f[ \ell = n\,\lambda\sqrt{\varepsilon/0.6}\,/\,\sigma @f]
+   * with p = c/200; the error at a penetration p is
+   * @f$\varepsilon\,c/(200p)@f$. The slope @f$\sigma@f$ bounds
+   * @f$\sin\alpha@f$ and what curvature adds to it on the segment: fibers that
+   * press on each other side by side need no more points than others.
+   *
    * Segments are halved until they are. Distances are bounds from below by the
    * convex hulls of control points.
    */
@@ -59,11 +70,23 @@ namespace Setae
      * @param n_points Gauss points on each segment
      * @param n_parts equal segments of a cell to begin with
      * @param smallest_gap a law is smooth on this scale [length], not negative
+     * @param is_contact whether the law is that of contact
      */
     GradedSegments(const double       tolerance,
                    const unsigned int n_points,
                    const unsigned int n_parts,
-                   const double       smallest_gap);
+                   const double       smallest_gap,
+                   const bool         is_contact = false);
+
+    /**
+     * The longest segment at a @p distance of the centerlines whose surfaces
+     * touch at the distance @p core [length]; @p slope, for contact and for
+     * whoever knows it, is the sine of the angle.
+     */
+    double
+    largest_length(const double distance,
+                   const double core,
+                   const double slope = 1.) const;
 
     /** Segments of a cell for all of its neighbors, in ascending order. */
     void
@@ -91,14 +114,24 @@ namespace Setae
       Part(const ControlPoints &cell, const Segment &segment);
 
       bool
-      may_be_halved() const;
+      may_be_halved(const double core) const;
+
+      /** How much the derivative differs from its mean, over that. */
+      double
+      turn() const;
     };
 
     static std::array<Part, 2>
     halves(const ControlPoints &cell, const Part &part);
 
-    double
-    largest_length(const double distance, const double core) const;
+    /** A bound of the slope of the distance between two parts. */
+    static double
+    slope(const Part &part, const Part &of_neighbor, const double core);
+
+    bool
+    overlaps(const Part     &part,
+             const Neighbor &neighbor,
+             const Part     &of_neighbor) const;
 
     bool
     is_too_long(const Part     &part,
@@ -118,6 +151,7 @@ namespace Setae
                 const Part                               &of_neighbor,
                 std::vector<std::pair<Segment, Segment>> &pairs) const;
 
+    const bool         is_contact;
     const double       length_factor; ///< l / lambda
     const unsigned int n_parts;
     const double       smallest_gap;

@@ -111,6 +111,27 @@ namespace Setae
     }
 
     /**
+     * The smallest gap of one site to the target cell [length], infinity beyond
+     * the cutoff.
+     */
+    double
+    gap(const LineSite      &site,
+        const HermiteCell<> &target,
+        const CellPlace     &place) const
+    {
+      double result = std::numeric_limits<double>::infinity();
+      for_each_projection(site,
+                          target,
+                          place,
+                          [&result](const SiteProjection &,
+                                    const GapAngle &,
+                                    const Standing &standing) {
+                            result = std::min(result, standing.gap);
+                          });
+      return result;
+    }
+
+    /**
      * The forces per source length on both centerlines at one site, for output.
      */
     void

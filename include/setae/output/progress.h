@@ -50,6 +50,10 @@ namespace Setae
     void
     print_rejection(const std::string &reason);
 
+    /** Something that may be wrong although the run goes on. */
+    void
+    print_warning(const std::string &warning);
+
     void
     print_step(const StepRecord &record);
 

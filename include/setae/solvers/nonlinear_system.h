@@ -117,6 +117,19 @@ namespace Setae
     {
       return 1.;
     }
+
+    /**
+     * What passes through what on the straight way between two solutions, in
+     * words, or nothing: a solver must not go from one to the other in one step
+     * although both may be admissible.
+     */
+    virtual std::string
+    passage(const Vector &from, const Vector &to) const
+    {
+      (void)from;
+      (void)to;
+      return {};
+    }
   };
 
 
