@@ -193,6 +193,7 @@ namespace Setae
     Coefficients result(0.);
     result.alpha_m = result.alpha_f = result.delay = result.next_delay = 0.;
     result.beta = result.gamma = 1.;
+    result.is_euler            = true;
     return result;
   }
 
@@ -261,7 +262,8 @@ namespace Setae
                  h = step_size;
 
     Prediction result{last, auxiliary};
-    Vector    &u = result.motion.displacement, &v = result.motion.velocity,
+    result.motion.acceleration = recursion_acceleration();
+    Vector &u = result.motion.displacement, &v = result.motion.velocity,
            &a = result.motion.acceleration;
     u.add(h, last.velocity);
     u.add(h * h * (.5 - beta), last_auxiliary, h * h * beta, auxiliary);
@@ -385,17 +387,38 @@ namespace Setae
 
     SolverResult result =
       correct(system, time, predict(system, time, last_auxiliary));
-    if (result.converged)
-      return result;
+    if (!result.converged)
+      {
+        // Fibers that go on as they did may end up in each other; if they stay
+        // where they are, they do not.
+        Vector to_rest(last.velocity);
+        to_rest *= -1. / (coefficients.beta * step_size);
+        to_rest.add(1. - .5 / coefficients.beta, last_auxiliary);
+        const unsigned int n_iterations = result.n_iterations;
+        result = correct(system, time, predict(system, time, to_rest));
+        result.n_iterations += n_iterations;
+      }
+    if (result.converged && coefficients.is_euler)
+      forget_jump(system);
+    return result;
+  }
 
-    // Fibers that go on as they did may end up in each other; if they stay
-    // where they are, they do not.
-    Vector to_rest(last.velocity);
-    to_rest *= -1. / (coefficients.beta * step_size);
-    to_rest.add(1. - .5 / coefficients.beta, last_auxiliary);
-    SolverResult second = correct(system, time, predict(system, time, to_rest));
-    second.n_iterations += result.n_iterations;
-    return second;
+
+
+  void
+  GeneralizedAlpha::forget_jump(DynamicSystem &system)
+  {
+    Vector free(next_auxiliary);
+    system.project_motion(free);
+    next_auxiliary.add(1. / (1. + damping * step_size) - 1., free);
+  }
+
+
+
+  const GeneralizedAlpha::Vector &
+  GeneralizedAlpha::recursion_acceleration() const
+  {
+    return follows_euler ? last_auxiliary : last.acceleration;
   }
 
 
@@ -408,6 +431,7 @@ namespace Setae
     last_potential = next_potential;
     last_step_size = step_size;
     last_delay     = coefficients.next_delay;
+    follows_euler  = coefficients.is_euler;
   }
 
 
@@ -426,7 +450,7 @@ namespace Setae
   GeneralizedAlpha::error(DynamicSystem &system) const
   {
     Vector truncation(next.acceleration);
-    truncation -= last.acceleration;
+    truncation -= recursion_acceleration();
     truncation *= coefficients.error_constant() * step_size * step_size *
                   (acceleration_factor() + damping * velocity_factor());
     system.project_motion(truncation);

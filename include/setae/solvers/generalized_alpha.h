@@ -74,6 +74,8 @@ namespace Setae
       /** @f$\Delta_n@f$ and @f$\Delta_{n+1}@f$ in parts of the step. */
       double delay, next_delay;
 
+      bool is_euler = false; ///< whether they are of_implicit_euler()
+
       /**
        * Of equal steps. @p rho_infinity is the spectral radius at infinity, in
        * [0,1].
@@ -204,6 +206,18 @@ namespace Setae
     void
     filter_first_auxiliary(DynamicSystem &system, const double time);
 
+    /**
+     * After an implicit Euler step, velocities are what the forces ask for, and
+     * their change during the step says nothing about the next one: its part in
+     * the auxiliary acceleration decays as a velocity does.
+     */
+    void
+    forget_jump(DynamicSystem &system);
+
+    /** What the recursion takes as the acceleration at the last time. */
+    const Vector &
+    recursion_acceleration() const;
+
     /** The derivatives by the displacement at the end of the step. */
     double
     auxiliary_factor() const;
@@ -223,6 +237,7 @@ namespace Setae
     double       last_delay;   ///< in parts of the last step
     Coefficients coefficients; ///< of the step tried last
     double       next_correction = 0.;
+    bool         follows_euler   = false; ///< an implicit Euler step
 
     Potential last_potential, next_potential; ///< only to conserve energy
   };
