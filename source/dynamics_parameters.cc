@@ -52,7 +52,8 @@ namespace Setae
                       smallest_step,
                       "A step of generalized-alpha that cannot be solved or is "
                       "too inaccurate is repeated with a smaller size down to "
-                      "this one [time]; 0 takes 1e-6 of 'time step'.",
+                      "this one [time]; IDA ends where 500 of its steps are "
+                      "shorter. 0 takes 1e-6 of 'time step'.",
                       Patterns::Double(0.));
     prm.add_parameter(
       "largest displacement",

@@ -286,7 +286,8 @@ namespace Setae
           const std::string used = fiber.mesh_file;
           prm.enter_subsection("fibers");
           prm.enter_subsection(fiber.name);
-          prm.set("mesh file", std::filesystem::absolute(used).string());
+          prm.set("mesh file",
+                  std::filesystem::absolute(used).lexically_normal().string());
           prm.leave_subsection();
           prm.leave_subsection();
           fiber.mesh_file = used; // as the user knows it, for messages
@@ -356,25 +357,12 @@ namespace Setae
       scene.output.directory =
         "output-" + std::filesystem::path(file_name).stem().string();
 
-    // The saved parameters repeat the run from any folder, and into another
-    // one.
+    // The saved parameters repeat the run into another folder.
     const std::string directory = scene.output.directory;
     prm.enter_subsection("output");
     prm.set("directory", "");
     prm.leave_subsection();
     scene.output.directory = directory;
-    prm.enter_subsection("fibers");
-    for (const FiberParameters &fiber : scene.fibers)
-      if (!fiber.mesh_file.empty())
-        {
-          const std::filesystem::path mesh_file = fiber.mesh_file;
-          prm.enter_subsection(fiber.name);
-          prm.set(
-            "mesh file",
-            std::filesystem::absolute(mesh_file).lexically_normal().string());
-          prm.leave_subsection();
-        }
-    prm.leave_subsection();
 
     std::ostringstream used;
     prm.print_parameters(used, ParameterHandler::ShortText);

@@ -217,7 +217,10 @@ namespace Setae
     Supports                 supports;
     std::unique_ptr<Inertia> inertia; ///< none in a static scene
     GlobalSystem             system;
-    LinearSolver             solver; ///< with the factors of its matrix
+
+    /** unit_displacements() of the unknowns of this rank. */
+    const std::vector<double> units;
+    LinearSolver              solver; ///< with the factors of the matrix
 
     /** Whether terms have left something out of the tangent matrix. */
     bool has_product = false;
@@ -227,9 +230,8 @@ namespace Setae
     dealii::AffineConstraints<double> increment_constraints;
     bool                              increment_at_rest = true;
 
-    /** unit_displacements() of the unknowns of this rank, and the inverse ones
-     * of the columns of its part of the matrix. */
-    std::vector<double> units, inverse_column_units;
+    /** Inverse units of the columns of this rank's part of the matrix. */
+    std::vector<double> inverse_column_units;
 
     /** EA over the length of a cell at each of these unknowns [force/length].
      */

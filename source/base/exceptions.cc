@@ -3,15 +3,19 @@
 
 #include <setae/base/exceptions.h>
 
+#include <new>
+
 namespace Setae
 {
   std::string
-  reason(const std::exception &exception)
+  one_line(const std::exception &exception)
   {
     std::ostringstream text;
     if (const auto *own =
           dynamic_cast<const dealii::ExceptionBase *>(&exception))
       own->print_info(text);
+    else if (dynamic_cast<const std::bad_alloc *>(&exception))
+      text << "There is not enough memory (" << exception.what() << ").";
     else
       text << exception.what();
 
@@ -19,6 +23,15 @@ namespace Setae
     std::string        line, word;
     while (words >> word)
       line += (line.empty() ? "" : " ") + word;
+    return line;
+  }
+
+
+
+  std::string
+  reason(const std::exception &exception)
+  {
+    std::string line = one_line(exception);
     while (!line.empty() && line.back() == '.')
       line.pop_back();
     return line;

@@ -6,8 +6,6 @@
 #include <chrono>
 #include <iostream>
 #include <limits>
-#include <new>
-#include <sstream>
 #include <thread>
 
 namespace Setae
@@ -24,27 +22,6 @@ namespace Setae
       std::cerr << "setae: " + line + "\n" << std::flush;
     }
   } // namespace
-
-
-
-  std::string
-  one_line(const std::exception &exception)
-  {
-    std::ostringstream text;
-    if (const auto *own =
-          dynamic_cast<const dealii::ExceptionBase *>(&exception))
-      own->print_info(text);
-    else if (dynamic_cast<const std::bad_alloc *>(&exception))
-      text << "There is not enough memory (" << exception.what() << ").";
-    else
-      text << exception.what();
-
-    std::istringstream words(text.str());
-    std::string        line, word;
-    while (words >> word)
-      line += (line.empty() ? "" : " ") + word;
-    return line;
-  }
 
 
 

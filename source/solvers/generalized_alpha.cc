@@ -187,6 +187,17 @@ namespace Setae
 
 
 
+  GeneralizedAlpha::Coefficients
+  GeneralizedAlpha::Coefficients::of_implicit_euler()
+  {
+    Coefficients result(0.);
+    result.alpha_m = result.alpha_f = result.delay = result.next_delay = 0.;
+    result.beta = result.gamma = 1.;
+    return result;
+  }
+
+
+
   GeneralizedAlpha::GeneralizedAlpha(const DynamicsParameters &dynamics,
                                      const NewtonParameters   &newton,
                                      const Newton::Log        &log,
@@ -361,9 +372,12 @@ namespace Setae
   {
     this->step_size     = step_size;
     const bool is_first = last_step_size == 0.;
-    coefficients        = Coefficients(rho_infinity,
-                                is_first ? 1. : step_size / last_step_size,
-                                last_delay);
+    if (is_first && damping * step_size > 1.)
+      coefficients = Coefficients::of_implicit_euler();
+    else
+      coefficients = Coefficients(rho_infinity,
+                                  is_first ? 1. : step_size / last_step_size,
+                                  last_delay);
     if (is_first)
       filter_first_auxiliary(system, time - step_size);
     if (conserves_energy && last_potential.force.size() == 0)

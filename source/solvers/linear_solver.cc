@@ -32,15 +32,50 @@ namespace Setae
       }
     };
 
+    template <typename Function>
     struct Inverse
     {
-      TrilinosWrappers::SolverDirect &solver;
+      const Function &multiply;
 
       void
       vmult(Vector &result, const Vector &x) const
       {
-        solver.solve(result, x);
+        multiply(result, x);
       }
+    };
+
+    /**
+     * A matrix with scaled rows and columns for as long as this lives. By
+     * powers of two, nothing is rounded on the way there and back.
+     */
+    class ScaledMatrix
+    {
+    public:
+      ScaledMatrix(const LinearSolver::Matrix &A, const Vector &scaling)
+        : matrix(const_cast<Epetra_CrsMatrix &>(A.trilinos_matrix()))
+        , scaling(scaling)
+      {
+        apply();
+      }
+
+      ~ScaledMatrix()
+      {
+        for (double &factor : scaling)
+          factor = 1. / factor;
+        apply();
+      }
+
+    private:
+      void
+      apply()
+      {
+        const Epetra_Vector &factors = *scaling.trilinos_vector()(0);
+        matrix.LeftScale(factors);
+        matrix.RightScale(factors);
+      }
+
+      Epetra_CrsMatrix &matrix;
+      Vector            scaling;
     };
 
     bool
@@ -67,9 +102,13 @@ namespace Setae
 
 
 
-  LinearSolver::LinearSolver(const std::string &type)
+  LinearSolver::LinearSolver(const std::string &type, const Vector &units)
     : type(type)
-  {}
+    , scaling(units)
+  {
+    for (double &factor : scaling)
+      factor = std::exp2(-std::round(std::log2(factor)));
+  }
 
 
 
@@ -85,7 +124,8 @@ namespace Setae
     bool is_regular = true;
     try
       {
-        matrix  = &A;
+        matrix = &A;
+        const ScaledMatrix scaled(A, scaling);
         factors = std::make_unique<Factors>(type);
         factors->solver.initialize(A);
       }
@@ -110,6 +150,17 @@ namespace Setae
 
 
 
+  void
+  LinearSolver::multiply_by_inverse(Vector &result, const Vector &x) const
+  {
+    Vector scaled(x);
+    scaled.scale(scaling);
+    factors->solver.solve(result, scaled);
+    result.scale(scaling);
+  }
+
+
+
   bool
   LinearSolver::solve(const Vector &right_hand_side, Vector &result)
   {
@@ -117,7 +168,7 @@ namespace Setae
     bool is_solved = true;
     try
       {
-        factors->solver.solve(result, right_hand_side);
+        multiply_by_inverse(result, right_hand_side);
       }
     catch (const std::exception &)
       {
@@ -139,7 +190,10 @@ namespace Setae
       {
         // With the preconditioner on the left, the residual that counts is in
         // the units of the solution.
-        const Inverse inverse{factors->solver};
+        const auto multiply = [this](Vector &y, const Vector &x) {
+          multiply_by_inverse(y, x);
+        };
+        const Inverse<decltype(multiply)> inverse{multiply};
         inverse.vmult(result, right_hand_side);
         ReductionControl    control(100, 1e-14 * result.l2_norm(), 1e-10);
         SolverGMRES<Vector> gmres(control);

@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <setae/base/exceptions.h>
-#include <setae/base/shared_exit.h>
 #include <setae/output/files.h>
 
 #include <csignal>

@@ -171,7 +171,8 @@ TEST(EnergyInMotion, FibersThatSettleEndInTheirEquilibriumForEveryRhoInfinity)
       SCOPED_TRACE(rho);
       const SceneMotion run("settling_pair", {"dynamics/rho infinity=" + rho});
       ASSERT_EQ(run.refusal, "");
-      EXPECT_NEAR(run.last().evaluation.gaps.smallest, .995, 2e-4);
+      // Of the curves; between integration points it is 0.995.
+      EXPECT_NEAR(run.last().evaluation.gaps.smallest, .9935, 2e-4);
       EXPECT_NEAR(run.last().motion->total_energy, -1.5559, 1e-4);
       EXPECT_NEAR(run.last().motion->balance(), -1.5437, 1e-4);
       EXPECT_LT(run.imbalance(.0123), 1e-3);
@@ -181,7 +182,7 @@ TEST(EnergyInMotion, FibersThatSettleEndInTheirEquilibriumForEveryRhoInfinity)
 
 
 // The end at (0.07, +0.17) once.
-TEST(EnergyInMotion, AFiberInHoneyMovesAsItsForcesAsk)
+TEST(EnergyInMotion, AHeavilyDampedFiberMovesAsItsForcesAsk)
 {
   for (const std::string rho : {"0", "0.9"})
     {
@@ -189,8 +190,8 @@ TEST(EnergyInMotion, AFiberInHoneyMovesAsItsForcesAsk)
       const SceneMotion run("heavily_damped", {"dynamics/rho infinity=" + rho});
       ASSERT_EQ(run.refusal, "");
       const Tensor<1, 3> tip = run.last().loads[0].displacement;
-      EXPECT_NEAR(tip[0], .01575, 5e-5);
-      EXPECT_NEAR(tip[1], -.00760, 3e-5);
+      EXPECT_NEAR(tip[0], .01575, 1e-5);
+      EXPECT_NEAR(tip[1], -.00760, 5e-6);
       EXPECT_LT(run.imbalance(9.04e-3), 1e-3);
     }
 }

@@ -97,11 +97,11 @@ for law in steric penalty; do
 done
 
 # The smallest step ends the run, and the line says who would pass through whom.
-run steric.prm --output coarse --set "load stepping/smallest step=0.9" \
+run steric.prm --output coarse --set "load stepping/instability resolution=0.9" \
   --set "load stepping/first step=1" \
   --set "load stepping/pass instabilities=false"
 one_line_with "pass through each other" "'high' (at s = 1" "'low'" \
-  "load stepping/smallest step"
+  "load stepping/instability resolution"
 
 # thrown: in one time step of 2.5 diameters.
 for integrator in energy-conserving generalized-alpha; do

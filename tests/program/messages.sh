@@ -11,12 +11,12 @@ cp "$here/two_fibers.prm" .
 
 # Pressed below the regularization gap.
 pressed=(--set "supports/pulled/displacement=-1e-3*t; 0; free"
-  --set "load stepping/end time=1" --set "load stepping/smallest step=0.1"
+  --set "load stepping/end time=1" --set "load stepping/instability resolution=0.1"
   --set output/fields=false)
 gap="the gap is 0.000[0-7][0-9]* between 'left' \(at s = [0-9.e-]+\) and 'right', below 0.0008: lower 'interactions/adhesion/regularization gap'"
 run two_fibers.prm "${pressed[@]}"
 one_line_with "The load step from time" "has no solution" \
-  "'load stepping/smallest step', 0.1, allows no shorter one" "on disk"
+  "'load stepping/instability resolution', 0.1, allows no shorter one" "on disk"
 check "Newton's reason is not the first" \
   grep -qE "no solution: $gap" "$captured/err"
 
@@ -25,7 +25,7 @@ check "the same reason is told twice" \
 
 # Pressed into each other at once, where no motion helps.
 run two_fibers.prm "${pressed[@]}" --set "load stepping/first step=1" \
-  --set "load stepping/smallest step=1" \
+  --set "load stepping/instability resolution=1" \
   --set "supports/pulled/displacement=-0.01*t; 0; free"
 one_line_with "has no solution" \
   "; the overdamped motion finds no state of lower energy, in its smallest step because fibers overlap, with the gap -0.0"

@@ -40,7 +40,11 @@ namespace Setae
     AssertThrow(false, ExcParameter(parameter, text.str(), allowed));
   }
 
-  /** What @p exception says, in one line and without a full stop. */
+  /** What @p exception says, in one line. */
+  std::string
+  one_line(const std::exception &exception);
+
+  /** The same without a full stop, to stand in a sentence. */
   std::string
   reason(const std::exception &exception);
 

@@ -7,7 +7,6 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
 
-#include <exception>
 #include <string>
 
 namespace Setae
@@ -17,12 +16,6 @@ namespace Setae
    * on: the other one says why.
    */
   DeclExceptionMsg(ExcOtherRank, "Another rank cannot go on.");
-
-  /** The sentence that an exception carries, in one line. */
-  std::string
-  one_line(const std::exception &exception);
-
-
 
   /**
    * The end of a program on several ranks. Most errors reach all ranks, which

@@ -94,6 +94,14 @@ namespace Setae
                    const double last_delay);
 
       /**
+       * Of implicit Euler steps, which are for a first step that is longer than
+       * the decay of velocities: fibers then move by the last velocity during
+       * all of it.
+       */
+      static Coefficients
+      of_implicit_euler();
+
+      /**
        * The factor of @f$h^3\dddot X@f$ in the displacement after one step,
        * less that of the exact solution.
        */

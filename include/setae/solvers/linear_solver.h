@@ -28,8 +28,13 @@ namespace Setae
     /** Writes B x into a vector. */
     using Product = std::function<void(const Vector &x, Vector &result)>;
 
-    /** @param type a direct solver of Trilinos' Amesos */
-    explicit LinearSolver(const std::string &type);
+    /**
+     * @param type a direct solver of Trilinos' Amesos
+     * @param units The size of a unit of each unknown, all in one unit: pivots
+     * are compared after rows and columns have been divided by it, as a pivot
+     * is no larger for being written in nanometres.
+     */
+    LinearSolver(const std::string &type, const Vector &units);
     ~LinearSolver();
 
     /**
@@ -60,7 +65,12 @@ namespace Setae
   private:
     struct Factors;
 
+    /** With the inverse for the matrix that has been scaled. */
+    void
+    multiply_by_inverse(Vector &result, const Vector &x) const;
+
     const std::string        type;
+    Vector                   scaling; ///< inverse units, powers of two
     std::unique_ptr<Factors> factors;
     const Matrix            *matrix = nullptr;
   };
