@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace Setae
 {
@@ -282,107 +281,6 @@ namespace Setae
 
 
 
-  double
-  FiberEquations::force_norm(Vector forces) const
-  {
-    supports.project_force(forces);
-    double sum = 0.;
-    for (unsigned int i = 0; i < units.size(); ++i)
-      {
-        const double force = forces.begin()[i] / units[i];
-        sum += force * force;
-      }
-    return std::sqrt(Utilities::MPI::sum(sum, communicator));
-  }
-
-
-
-  double
-  FiberEquations::increment_norm(const Vector &increment) const
-  {
-    double sum = 0.;
-    for (unsigned int i = 0; i < units.size(); ++i)
-      {
-        const double displacement = increment.begin()[i] * units[i];
-        sum += displacement * displacement;
-      }
-    return std::sqrt(Utilities::MPI::sum(sum, communicator));
-  }
-
-
-
-  double
-  FiberEquations::length_scale() const
-  {
-    double smallest = std::numeric_limits<double>::infinity();
-    for (const Fiber &fiber : fibers.fibers)
-      smallest =
-        std::min(smallest, fibers.parameters_of_cell(fiber.first_cell).radius);
-    return smallest;
-  }
-
-
-
-  double
-  FiberEquations::largest_stiffness() const
-  {
-    const Epetra_CrsMatrix &matrix  = system.tangent_matrix.trilinos_matrix();
-    double                  largest = 0.;
-    for (int row = 0; row < matrix.NumMyRows(); ++row)
-      {
-        int     n;
-        double *values;
-        int    *columns;
-        matrix.ExtractMyRowView(row, n, values, columns);
-        double sum = 0.;
-        for (int k = 0; k < n; ++k)
-          sum += std::abs(values[k]) * inverse_column_units[columns[k]];
-        largest = std::max(largest, sum / units[row]);
-      }
-    return Utilities::MPI::max(largest, communicator);
-  }
-
-
-
-  /** Collect the gaps of all terms and ranks, and find what is wrong. */
-  void
-  FiberEquations::judge(Evaluation &evaluation) const
-  {
-    if (!std::isfinite(evaluation.residual_norm) ||
-        !std::isfinite(evaluation.energy))
-      {
-        evaluation.is_valid = false;
-        evaluation.reason   = "the residual is not finite";
-        for (unsigned int i = 0; i < terms.size(); ++i)
-          if (!std::isfinite(evaluation.energies[i]))
-            evaluation.reason =
-              "the energy of the " + terms[i]->name() + " is not finite";
-      }
-    evaluation.is_admissible = evaluation.is_valid;
-    for (const auto &term : terms)
-      {
-        GapReport gaps;
-        for (const GapReport &report :
-             Utilities::MPI::all_gather(communicator, term->gaps()))
-          gaps.see(report);
-        evaluation.gaps.see(gaps);
-
-        const double limit       = term->smallest_admissible_gap();
-        const bool   is_singular = gaps.smallest <= term->singular_gap();
-        if (gaps.smallest < limit || is_singular)
-          {
-            evaluation.is_valid      = evaluation.is_valid && !is_singular;
-            evaluation.is_admissible = false;
-            std::ostringstream text;
-            text << "the gap is " << gaps.smallest << " " << where(gaps)
-                 << ", below " << limit << term->small_gap_advice();
-            evaluation.reason = text.str();
-          }
-      }
-  }
-
-
-
   bool
   FiberEquations::solve(const Vector &right_hand_side, Vector &result)
   {
@@ -477,63 +375,6 @@ namespace Setae
       result(i) = std::abs(system.tangent_matrix.diag_element(i));
     result.compress(VectorOperation::insert);
     return result;
-  }
-
-
-
-  double
-  FiberEquations::largest_displacement(const Vector &increment) const
-  {
-    double largest = 0.;
-    for (const unsigned int cell : fibers.owned_cells)
-      for (const unsigned int shape : {0u, 2u})
-        for (unsigned int c = 0; c < 3; ++c)
-          {
-            const auto dof = fibers.cell_dofs[cell][3 * shape + c];
-            if (fibers.owned_dofs.is_element(dof))
-              largest = std::max(largest, std::abs(increment(dof)));
-          }
-    return Utilities::MPI::max(largest, communicator);
-  }
-
-
-
-  std::string
-  FiberEquations::where(const GapReport &gaps) const
-  {
-    const auto place = [this](const unsigned int cell) {
-      const Fiber &f = fibers.fibers[fibers.fiber_of_cell[cell]];
-      return "'" + f.name + "'";
-    };
-    const Fiber       &f = fibers.fibers[fibers.fiber_of_cell[gaps.source]];
-    const auto         i = gaps.source - f.first_cell;
-    std::ostringstream text;
-    text << "between " << place(gaps.source) << " (at s = "
-         << f.arc_length[i] + gaps.x * (f.arc_length[i + 1] - f.arc_length[i])
-         << ") and " << place(gaps.target);
-    return text.str();
-  }
-
-
-
-  std::string
-  FiberEquations::passage(const Vector &from, const Vector &to) const
-  {
-    const State begin = state(from, 0.), end = state(to, 0.);
-    Passage     first;
-    first.fraction = std::numeric_limits<double>::infinity();
-    for (const auto &term : terms)
-      for (const Passage &passage : Utilities::MPI::all_gather(
-             communicator, term->find_passage(begin, end).value_or(first)))
-        if (passage.is_before(first))
-          first = passage;
-    if (std::isinf(first.fraction))
-      return {};
-    GapReport place;
-    place.source = first.source;
-    place.target = first.target;
-    place.x      = first.x;
-    return "fibers would pass through each other " + where(place);
   }
 
 

@@ -182,6 +182,8 @@ namespace Setae
     void
     tangent_product(const Vector &x, Vector &product);
 
+    // Gaps are in fiber_gaps.cc, norms and scales in fiber_norms.cc.
+
     void
     judge(Evaluation &evaluation) const;
 

@@ -1,528 +1,264 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 The Setae authors
 
-#include <setae/assembly/curve_gaps.h>
-#include <setae/assembly/far_field.h>
-#include <setae/assembly/interaction_pass.h>
-#include <setae/assembly/interaction_points.h>
-#include <setae/assembly/section_kernels.h>
-#include <setae/assembly/unresolved_segment.h>
+#include <setae/assembly/interaction_term.h>
 
-#include <map>
-#include <type_traits>
+#include <algorithm>
+#include <limits>
 
 namespace Setae
 {
   using namespace dealii;
 
-  namespace
+  template <typename Law>
+  FiberPairResultants
+  Interaction<Law>::pair_resultants(const State &state)
   {
-    template <typename Law>
-    class Interaction : public EnergyTerm
-    {
-    public:
-      Interaction(const FiberSystem           &fibers,
-                  const InteractionParameters &parameters)
-        : fibers(fibers)
-        , parameters(parameters)
-        , roles(fibers, parameters)
-        , rule(integration_rule(parameters))
-        , strength("interactions/" + parameters.name + "/strength",
-                   parameters.strength,
-                   "t",
-                   fibers.scene.constants)
-        , kernels(fibers, parameters, roles)
-        , points(fibers,
-                 parameters,
-                 rule,
-                 is_projected<Law>,
-                 Law::is_long_range,
-                 is_contact,
-                 !has_offset,
-                 kernels.largest_reach)
-        , passes(fibers,
-                 roles,
-                 has_finite_targets<Law>(parameters),
-                 kernels.largest_radius,
-                 kernels.largest_reach,
-                 skin())
-        , curve_gaps(fibers,
-                     roles,
-                     has_finite_targets<Law>(parameters),
-                     kernels.largest_cutoff)
-      {
-        if (parameters.far_field_tolerance > 0.)
-          far_field =
-            std::make_unique<FarField>(fibers, parameters, roles, rule);
-      }
+    Assert(!far_field, ExcNotImplemented("clusters mix fibers"));
+    FiberPairResultants resultants;
+    const double        strength = this->strength(state.time);
+    for_each_pair(
+      state,
+      [&](const InteractionPass       &pass,
+          const unsigned int           source,
+          const unsigned int           target,
+          const std::vector<LineSite> &source_sites,
+          const Segment               &of_target) {
+        const unsigned int s = fibers.fiber_of_cell[source],
+                           t = fibers.fiber_of_cell[target];
+        if (s == t || !add_pair(state,
+                                pass,
+                                source,
+                                target,
+                                source_sites,
+                                of_target,
+                                strength,
+                                Request::residual))
+          return;
+        Resultant &resultant = resultants[{std::min(s, t), std::max(s, t)}];
+        resultant.energy += local.energy;
 
-      std::string
-      name() const override
-      {
-        return "interaction";
-      }
+        // To move both nodes of a cell is to move the cell.
+        for (const unsigned int node : {0, 2})
+          for (unsigned int c = 0; c < 3; ++c)
+            resultant.force[c] +=
+              (s < t ? -1. : 1.) * local.residual[3 * node + c];
+      });
+    return resultants;
+  }
 
-      bool
-      has_search() const override
-      {
-        return true;
-      }
 
-      bool
-      update_couplings(const State &state) override
-      {
-        if (far_field)
-          {
-            if (!far_field->needs_rebuild(state))
-              return false;
-            far_field->build(state, passes.first().sources);
-            return true;
-          }
-        return passes.update(state);
-      }
 
-      void
-      add_couplings(std::vector<std::pair<unsigned int, unsigned int>>
-                      &cell_pairs) const override
-      {
-        for (const InteractionPass &pass : passes)
-          for (unsigned int i = 0; i < pass.sources.size(); ++i)
-            for (const unsigned int target : partners(pass)(i))
-              cell_pairs.emplace_back(pass.sources[i], target);
-      }
+  template <typename Law>
+  void
+  Interaction<Law>::add_site_forces(const State            &state,
+                                    std::vector<SiteForce> &forces) const
+  {
+    // With a double integral, several cells act on a site.
+    std::map<unsigned int, std::vector<SiteForce>> sums;
+    const double strength = this->strength(state.time);
 
-      double
-      assemble(const State  &state,
-               const Request request,
-               GlobalSystem &system) override
-      {
-        report                = {};
-        const double strength = this->strength(state.time);
-        const double energy   = add_pairs(state, strength, request, system);
-        see_curves(state);
-
-        // Also what does not act yet works as soon as it grows.
-        energy_of_unit_strength =
-          strength != 0. ? energy / strength :
-                           add_pairs(state, 1., Request::energy, system);
-        return energy;
-      }
-
-      void
-      add_external_work(const State               &state,
-                        std::vector<ExternalWork> &work) const override
-      {
-        work.push_back({energy_of_unit_strength, strength(state.time)});
-      }
-
-      bool
-      has_tangent_product() const override
-      {
-        return far_field != nullptr;
-      }
-
-      void
-      add_tangent_product(const State  &direction,
-                          GlobalVector &product) const override
-      {
-        far_field->add_tangent_product(direction, product);
-      }
-
-      bool
-      has_potential() const override
-      {
-        return !has_offset || (parameters.interaction_moments &&
-                               parameters.cutoff_of == "energy");
-      }
-
-      GapReport
-      gaps() const override
-      {
-        return report;
-      }
-
-      std::string
-      unresolved_points(const State &state) const override
-      {
-        if (points.are_graded() || !(report.smallest < kernels.largest_cutoff))
-          return {};
-        return unresolved_segment(fibers,
-                                  parameters,
-                                  state,
-                                  report,
-                                  is_projected<Law>,
-                                  Law::is_long_range,
-                                  is_contact);
-      }
-
-      std::optional<Passage>
-      find_passage(const State &from, const State &to) const override
-      {
-        return curve_gaps.find_passage(from,
-                                       to,
-                                       passes.first().sources,
-                                       passes.first().targets);
-      }
-
-      double
-      smallest_admissible_gap() const override
-      {
-        if (is_contact)
-          return -kernels.smallest_radius;
-        if (Law::is_long_range && fibers.scene.has_contact())
-          return -std::numeric_limits<double>::infinity();
-        return parameters.regularization;
-      }
-
-      std::string
-      small_gap_advice() const override
-      {
-        const std::string section = "'interactions/" + parameters.name + "/";
-        if (is_contact)
-          return ", minus the smallest radius: raise " + section +
-                 "penalty' or take shorter steps";
-        if (parameters.regularization > 0.)
-          return ": lower " + section +
-                 "regularization gap' (0.3 of the equilibrium gap lets fibers "
-                 "press on each other) or take shorter steps";
-        return ", where they overlap: take shorter steps";
-      }
-
-      double
-      singular_gap() const override
-      {
-        return is_contact || Law::is_long_range ||
-                   parameters.regularization > 0. ?
-                 -std::numeric_limits<double>::infinity() :
-                 0.;
-      }
-
-      FiberPairResultants
-      pair_resultants(const State &state) override
-      {
-        Assert(!far_field, ExcNotImplemented("clusters mix fibers"));
-        FiberPairResultants resultants;
-        const double        strength = this->strength(state.time);
-        for_each_pair(
-          state,
-          [&](const InteractionPass       &pass,
-              const unsigned int           source,
-              const unsigned int           target,
-              const std::vector<LineSite> &source_sites,
-              const Segment               &of_target) {
-            const unsigned int s = fibers.fiber_of_cell[source],
-                               t = fibers.fiber_of_cell[target];
-            if (s == t || !add_pair(state,
-                                    pass,
-                                    source,
-                                    target,
-                                    source_sites,
-                                    of_target,
-                                    strength,
-                                    Request::residual))
-              return;
-            Resultant &resultant = resultants[{std::min(s, t), std::max(s, t)}];
-            resultant.energy += local.energy;
-
-            // To move both nodes of a cell is to move the cell.
-            for (const unsigned int node : {0, 2})
-              for (unsigned int c = 0; c < 3; ++c)
-                resultant.force[c] +=
-                  (s < t ? -1. : 1.) * local.residual[3 * node + c];
-          });
-        return resultants;
-      }
-
-      void
-      add_site_forces(const State            &state,
-                      std::vector<SiteForce> &forces) const override
-      {
-        // With a double integral, several cells act on a site.
-        std::map<unsigned int, std::vector<SiteForce>> sums;
-        const double strength = this->strength(state.time);
-
-        for (const InteractionPass &pass : passes)
-          points.for_each_pair_with_equal_segments(
-            state,
-            pass.sources,
-            partners(pass),
-            [&](const unsigned int           source,
-                const unsigned int           target,
-                const std::vector<LineSite> &source_sites,
-                const Segment &) {
-              const HermiteCell<> &cell = state.current[target];
-              const Kernel<Law>   &kernel =
-                kernels.between(source, target, pass.of_zones);
-              const double factor = strength * roles.factor(source, target);
-              if constexpr (is_projected<Law>)
-                for (const LineSite &site : source_sites)
-                  kernel.forces(site,
-                                cell,
-                                fibers.place_of_cell(target),
-                                factor * share(pass, kernel, source, site),
-                                forces);
+    for (const InteractionPass &pass : passes)
+      points.for_each_pair_with_equal_segments(
+        state,
+        pass.sources,
+        partners(pass),
+        [&](const unsigned int           source,
+            const unsigned int           target,
+            const std::vector<LineSite> &source_sites,
+            const Segment &) {
+          const HermiteCell<> &cell = state.current[target];
+          const Kernel<Law>   &kernel =
+            kernels.between(source, target, pass.of_zones);
+          const double factor = strength * roles.factor(source, target);
+          if constexpr (is_projected<Law>)
+            for (const LineSite &site : source_sites)
+              kernel.forces(site,
+                            cell,
+                            fibers.place_of_cell(target),
+                            factor * share(pass, kernel, source, site),
+                            forces);
+          else
+            {
+              evaluate_sites(rule, fibers.initial[target], cell, target_sites);
+              std::vector<SiteForce> &on_source = sums[source],
+                                     &on_target = sums[target];
+              if constexpr (has_offset)
+                kernel.add_forces(
+                  source_sites, target_sites, factor, on_source, on_target);
               else
                 {
-                  evaluate_sites(rule,
-                                 fibers.initial[target],
-                                 cell,
-                                 target_sites);
-                  std::vector<SiteForce> &on_source = sums[source],
-                                         &on_target = sums[target];
-                  if constexpr (has_offset)
-                    kernel.add_forces(
-                      source_sites, target_sites, factor, on_source, on_target);
-                  else
-                    {
-                      kernel.add_forces(source_sites,
-                                        target_sites,
-                                        factor,
-                                        on_source);
-                      kernel.add_forces(target_sites,
-                                        source_sites,
-                                        factor,
-                                        on_target);
-                    }
+                  kernel.add_forces(source_sites,
+                                    target_sites,
+                                    factor,
+                                    on_source);
+                  kernel.add_forces(target_sites,
+                                    source_sites,
+                                    factor,
+                                    on_target);
                 }
-            });
-        if (far_field)
-          add_far_site_forces(state, strength, sums);
-        for (const auto &[cell, sites] : sums)
-          forces.insert(forces.end(), sites.begin(), sites.end());
-      }
-
-    private:
-      using Segment = InteractionPoints::Segment;
-
-      static constexpr bool has_offset =
-        Law::depends_on == Invariants::gap_offset;
-
-      static constexpr bool is_contact = std::is_same_v<Law, PenaltyContact>;
-
-      /** A function of the index of a source: the cells near that. */
-      auto
-      partners(const InteractionPass &pass) const
-      {
-        return [this, &pass](const unsigned int i) {
-          return far_field ? far_field->near_targets(i) : pass.partners(i);
-        };
-      }
-
-      /** InteractionPoints::for_each_pair() in all passes. */
-      template <typename Function>
-      void
-      for_each_pair(const State &state, const Function &function) const
-      {
-        for (const InteractionPass &pass : passes)
-          points.for_each_pair(state,
-                               pass.sources,
-                               partners(pass),
-                               [&](const auto &...arguments) {
-                                 function(pass, arguments...);
-                               });
-      }
-
-      /** The share of a site that counts in a pass. */
-      double
-      share(const InteractionPass &pass,
-            const Kernel<Law>     &kernel,
-            const unsigned int     source,
-            const LineSite        &site) const
-      {
-        if constexpr (is_projected<Law>)
-          if (pass.of_zones)
-            return kernel.share_of_zone(fibers.place_of_cell(source), site.x);
-        (void)pass, (void)kernel, (void)source, (void)site;
-        return 1.;
-      }
-
-      void
-      add_far_site_forces(
-        const State                                    &state,
-        const double                                    strength,
-        std::map<unsigned int, std::vector<SiteForce>> &sums) const
-      {
-        std::vector<LineSite> sites;
-        for (const unsigned int cell : fibers.owned_cells)
-          if (far_field->knows(cell))
-            {
-              evaluate_sites(rule,
-                             fibers.initial[cell],
-                             state.current[cell],
-                             sites);
-              const auto far = far_field->site_forces(cell, sites, strength);
-              std::vector<SiteForce> &forces = sums[cell];
-              if (forces.empty())
-                for (const LineSite &site : sites)
-                  forces.push_back(
-                    {site.r, {}, std::numeric_limits<double>::infinity()});
-              for (unsigned int q = 0; q < sites.size(); ++q)
-                forces[q].force += far[q];
             }
-      }
+        });
+    if (far_field)
+      add_far_site_forces(state, strength, sums);
+    for (const auto &[cell, sites] : sums)
+      forces.insert(forces.end(), sites.begin(), sites.end());
+  }
 
-      /** How far beyond the reach to search, if the scene does not say
-       * [length]. */
-      double
-      skin() const
-      {
-        if (parameters.skin > 0.)
-          return parameters.skin;
-        if (is_contact)
-          return kernels.smallest_radius;
-        return parameters.cutoff > 0. ? .5 * parameters.cutoff :
-                                        std::numeric_limits<double>::infinity();
-      }
 
-      /** @return The energy of this rank. */
-      double
-      add_pairs(const State  &state,
-                const double  strength,
-                const Request request,
-                GlobalSystem &system)
-      {
-        double energy = 0.;
-        for_each_pair(state,
-                      [&](const InteractionPass       &pass,
-                          const unsigned int           source,
-                          const unsigned int           target,
-                          const std::vector<LineSite> &source_sites,
-                          const Segment               &of_target) {
-                        if (add_pair(state,
-                                     pass,
-                                     source,
-                                     target,
-                                     source_sites,
-                                     of_target,
-                                     strength,
-                                     request))
-                          {
-                            if (has_potential())
-                              local.symmetrize();
-                            energy += local.energy;
-                            if (request >= Request::residual)
-                              system.add(source, target, local);
-                          }
-                      });
-        if (far_field)
-          energy += far_field->assemble(state, strength, request, system);
-        return energy;
-      }
 
-      /** Gaps between the points, after those at the points have been seen. */
-      void
-      see_curves(const State &state)
-      {
-        for (const InteractionPass &pass : passes)
-          for (unsigned int i = 0; i < pass.sources.size(); ++i)
-            for (const unsigned int target : partners(pass)(i))
-              {
-                const unsigned int source = pass.sources[i];
-                if (!curve_gaps.may_be_smaller(state, source, target, report))
-                  continue;
-                // Zones are parts of the curves that the first pass has seen.
-                if (!pass.of_zones)
-                  curve_gaps.see(state, source, target, report);
-                if constexpr (is_projected<Law>)
-                  if (has_finite_targets<Law>(parameters))
-                    for (const LineSite &site :
-                         curve_gaps.sites_at_ends(state, source))
-                      report.see({kernels.between(source, target, pass.of_zones)
-                                    .gap(site,
-                                         state.current[target],
-                                         fibers.place_of_cell(target)),
-                                  source,
-                                  target,
-                                  site.x});
-              }
-        if (far_field)
-          far_field->see_gaps(state, curve_gaps, report);
-      }
+  template <typename Law>
+  void
+  Interaction<Law>::add_far_site_forces(
+    const State                                    &state,
+    const double                                    strength,
+    std::map<unsigned int, std::vector<SiteForce>> &sums) const
+  {
+    std::vector<LineSite> sites;
+    for (const unsigned int cell : fibers.owned_cells)
+      if (far_field->knows(cell))
+        {
+          evaluate_sites(rule,
+                         fibers.initial[cell],
+                         state.current[cell],
+                         sites);
+          const auto far = far_field->site_forces(cell, sites, strength);
+          std::vector<SiteForce> &forces = sums[cell];
+          if (forces.empty())
+            for (const LineSite &site : sites)
+              forces.push_back(
+                {site.r, {}, std::numeric_limits<double>::infinity()});
+          for (unsigned int q = 0; q < sites.size(); ++q)
+            forces[q].force += far[q];
+        }
+  }
 
-      /** @return Whether any site of the source is within reach. */
-      bool
-      add_pair(const State                 &state,
-               const InteractionPass       &pass,
-               const unsigned int           source,
-               const unsigned int           target,
-               const std::vector<LineSite> &source_sites,
-               const Segment               &of_target,
-               const double                 strength,
-               const Request                request)
-      {
-        const HermiteCell<> &cell = state.current[target];
-        const Kernel<Law>   &kernel =
-          kernels.between(source, target, pass.of_zones);
-        const double         factor = strength * roles.factor(source, target);
-        const double         reach_square = kernel.reach() * kernel.reach();
-        const BoundingBox<3> box          = bounding_box(cell.control_points());
 
-        const CellPlace place   = fibers.place_of_cell(target);
-        bool            is_near = false;
-        double          spacing = 0.;
-        for (const LineSite &site : source_sites)
+
+  template <typename Law>
+  double
+  Interaction<Law>::add_pairs(const State  &state,
+                              const double  strength,
+                              const Request request,
+                              GlobalSystem &system)
+  {
+    double energy = 0.;
+    for_each_pair(state,
+                  [&](const InteractionPass       &pass,
+                      const unsigned int           source,
+                      const unsigned int           target,
+                      const std::vector<LineSite> &source_sites,
+                      const Segment               &of_target) {
+                    if (add_pair(state,
+                                 pass,
+                                 source,
+                                 target,
+                                 source_sites,
+                                 of_target,
+                                 strength,
+                                 request))
+                      {
+                        if (has_potential())
+                          local.symmetrize();
+                        energy += local.energy;
+                        if (request >= Request::residual)
+                          system.add(source, target, local);
+                      }
+                  });
+    if (far_field)
+      energy += far_field->assemble(state, strength, request, system);
+    return energy;
+  }
+
+
+
+  template <typename Law>
+  void
+  Interaction<Law>::see_curves(const State &state)
+  {
+    for (const InteractionPass &pass : passes)
+      for (unsigned int i = 0; i < pass.sources.size(); ++i)
+        for (const unsigned int target : partners(pass)(i))
           {
-            if (distance_square(box, site.r) >= reach_square)
+            const unsigned int source = pass.sources[i];
+            if (!curve_gaps.may_be_smaller(state, source, target, report))
               continue;
-            const double share = this->share(pass, kernel, source, site);
-            if (share == 0.)
-              continue;
-            if (!is_near)
-              {
-                is_near = true;
-                local.reset(request);
-                if constexpr (!is_projected<Law>)
-                  points.evaluate_target(state,
-                                         target,
-                                         of_target,
-                                         target_sites);
-                if constexpr (has_offset)
-                  {
-                    spacing = kernel.largest_spacing(target_sites);
-                    sums.start(target_sites.size(), request);
-                  }
-              }
-            double gap;
+            // Zones are parts of the curves that the first pass has seen.
+            if (!pass.of_zones)
+              curve_gaps.see(state, source, target, report);
             if constexpr (is_projected<Law>)
-              gap = kernel.add(site,
-                               cell,
-                               place,
-                               factor * share * site.weight,
-                               request,
-                               local);
-            else if constexpr (has_offset)
-              gap = kernel.add(
-                site, target_sites, spacing, factor, request, sums, local);
-            else
-              gap = kernel.add(site, target_sites, factor, request, local);
-            report.see({gap, source, target, site.x});
+              if (has_finite_targets<Law>(parameters))
+                for (const LineSite &site :
+                     curve_gaps.sites_at_ends(state, source))
+                  report.see({kernels.between(source, target, pass.of_zones)
+                                .gap(site,
+                                     state.current[target],
+                                     fibers.place_of_cell(target)),
+                              source,
+                              target,
+                              site.x});
           }
-        if constexpr (has_offset)
-          if (is_near)
-            sums.finish(target_sites, local);
-        return is_near;
+    if (far_field)
+      far_field->see_gaps(state, curve_gaps, report);
+  }
+
+
+
+  template <typename Law>
+  bool
+  Interaction<Law>::add_pair(const State                 &state,
+                             const InteractionPass       &pass,
+                             const unsigned int           source,
+                             const unsigned int           target,
+                             const std::vector<LineSite> &source_sites,
+                             const Segment               &of_target,
+                             const double                 strength,
+                             const Request                request)
+  {
+    const HermiteCell<> &cell = state.current[target];
+    const Kernel<Law> &kernel = kernels.between(source, target, pass.of_zones);
+    const double       factor = strength * roles.factor(source, target);
+    const double       reach_square = kernel.reach() * kernel.reach();
+    const BoundingBox<3> box        = bounding_box(cell.control_points());
+
+    const CellPlace place   = fibers.place_of_cell(target);
+    bool            is_near = false;
+    double          spacing = 0.;
+    for (const LineSite &site : source_sites)
+      {
+        if (distance_square(box, site.r) >= reach_square)
+          continue;
+        const double share = this->share(pass, kernel, source, site);
+        if (share == 0.)
+          continue;
+        if (!is_near)
+          {
+            is_near = true;
+            local.reset(request);
+            if constexpr (!is_projected<Law>)
+              points.evaluate_target(state, target, of_target, target_sites);
+            if constexpr (has_offset)
+              {
+                spacing = kernel.largest_spacing(target_sites);
+                sums.start(target_sites.size(), request);
+              }
+          }
+        double gap;
+        if constexpr (is_projected<Law>)
+          gap = kernel.add(
+            site, cell, place, factor * share * site.weight, request, local);
+        else if constexpr (has_offset)
+          gap = kernel.add(
+            site, target_sites, spacing, factor, request, sums, local);
+        else
+          gap = kernel.add(site, target_sites, factor, request, local);
+        report.see({gap, source, target, site.x});
       }
-
-      const FiberSystem           &fibers;
-      const InteractionParameters &parameters;
-      const InteractionRoles       roles;
-      const Quadrature<1>          rule; ///< of a cell
-
-      const Expression          strength;
-      double                    energy_of_unit_strength = 0.; ///< of this rank
-      const SectionKernels<Law> kernels;
-      const InteractionPoints   points;
-      InteractionPasses         passes;
-      const CurveGaps           curve_gaps;
-      std::unique_ptr<FarField> far_field; ///< none if all pairs are summed
-      GapReport                 report;
-
-      // Scratch, to save allocations.
-      LocalSystem<24>               local;
-      SitePairSums                  sums;
-      mutable std::vector<LineSite> target_sites;
-    };
-  } // namespace
+    if constexpr (has_offset)
+      if (is_near)
+        sums.finish(target_sites, local);
+    return is_near;
+  }
 
 
 

@@ -5,6 +5,7 @@
 #include <setae/search/hull_distance.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 #include <utility>
@@ -39,18 +40,25 @@ namespace Setae
     }
 
     /**
-     * About where a part is nearest to a point: on its chord, then a step of
+     * About where a part is nearest to a point: on its chord, then two steps of
      * Newton's method.
      */
     double
     nearest(const CubicPart &part, const Tensor<1, 3> &point)
     {
       const Tensor<1, 3> chord = part.points[3] - part.points[0];
-      const double t = internal::minimizer(chord * (point - part.points[0]),
-                                           chord.norm_square());
-      const Tensor<1, 3> d = point - part.position(t), b = part.derivative(t);
-      const double       curvature = b * b - d * part.second_derivative(t);
-      return curvature > 0. ? std::clamp(t + d * b / curvature, 0., 1.) : t;
+      double t = internal::minimizer(chord * (point - part.points[0]),
+                                     chord.norm_square());
+      for (unsigned int i = 0; i < 2; ++i)
+        {
+          const Tensor<1, 3> d   = point - part.position(t),
+                             b   = part.derivative(t);
+          const double curvature = b * b - d * part.second_derivative(t);
+          if (curvature <= 0.)
+            break;
+          t = std::clamp(t + d * b / curvature, 0., 1.);
+        }
+      return t;
     }
 
     /** A pair of coordinates on two parts and half the squared distance. */
@@ -209,13 +217,62 @@ namespace Setae
       return at;
     }
 
+    /**
+     * A point of the first part and about the one of the second that is nearest
+     * to it; half the squared distance of the first point from the second part,
+     * and two derivatives of it along the first part.
+     */
+    struct Sample
+    {
+      Candidate place;
+      double    value, slope, curvature;
+      bool      is_at_end; ///< of the second part, and stays there
+    };
+
+    Sample
+    sample(const CubicPart &first, const CubicPart &second, const double s)
+    {
+      const double    t     = nearest(second, first.position(s));
+      const Candidate place = evaluate(first, second, s, t);
+      const Model     m     = expand(first, second, place);
+      const bool      is_at_end =
+        (t <= 0. && m.g_t >= 0.) || (t >= 1. && m.g_t <= 0.);
+      if (is_at_end || m.H_tt <= 0.)
+        return {place, place.value, m.g_s, m.H_ss, is_at_end};
+
+      // With the step to the nearest point that is left: on nearly parallel
+      // parts it changes the slope by more than the slope.
+      return {place,
+              place.value - .5 * m.g_t * m.g_t / m.H_tt,
+              m.g_s - m.H_st / m.H_tt * m.g_t,
+              m.H_ss - m.H_st / m.H_tt * m.H_st,
+              false};
+    }
+
+    /**
+     * The cubic polynomial that has the slopes of two samples and their
+     * derivatives, by its Bernstein coefficients.
+     */
+    std::array<double, 4>
+    slope_between(const Sample &left, const Sample &right)
+    {
+      const double third = (right.place.s - left.place.s) / 3.;
+      return {{left.slope,
+               left.slope + third * left.curvature,
+               right.slope - third * right.curvature,
+               right.slope}};
+    }
+
     class Search
     {
     public:
+      /** @param size of the cells [length] */
       Search(const double    bound,
+             const double    size,
              const CellEnds &left_out_1,
              const CellEnds &left_out_2)
         : bound(bound)
+        , resolution(round_off * size)
         , left_out_1(left_out_1)
         , left_out_2(left_out_2)
       {}
@@ -264,27 +321,17 @@ namespace Setae
       {
         constexpr unsigned int n = 8;
 
-        Candidate last{};
-        bool      fell = true;
-        for (unsigned int i = 0; i <= n; ++i)
+        Sample left = sample(first, second, 0.);
+        if (left.slope >= 0.)
+          see(first, second, minimize(first, second, left.place));
+        for (unsigned int i = 1; i <= n; ++i)
           {
-            const double       s        = double(i) / n;
-            const Tensor<1, 3> position = first.position(s);
-            const double       t        = nearest(second, position);
-            const Tensor<1, 3> d        = position - second.position(t);
-            const Candidate    sample{s, t, .5 * d.norm_square()};
-            const bool         falls = d * first.derivative(s) < 0.;
-            if (fell && !falls)
-              see(first,
-                  second,
-                  minimize(first,
-                           second,
-                           i > 0 && last.value < sample.value ? last : sample));
-            else if (i == n && falls)
-              see(first, second, minimize(first, second, sample));
-            fell = falls;
-            last = sample;
+            const Sample right = sample(first, second, double(i) / n);
+            find_minima(first, second, left, right);
+            left = right;
           }
+        if (left.slope < 0.)
+          see(first, second, minimize(first, second, left.place));
 
         // Where the second part ends beside the first one, the distance may
         // have a kink between two samples.
@@ -297,6 +344,47 @@ namespace Setae
               see(first,
                   second,
                   minimize(first, second, {s, t, .5 * d.norm_square()}));
+          }
+      }
+
+      /**
+       * Halve the interval between two samples until the slope changes its sign
+       * at most once (Descartes), or the distance is nowhere below the bound.
+       * Where the second part ends, the slope has a kink.
+       */
+      void
+      find_minima(const CubicPart &first,
+                  const CubicPart &second,
+                  const Sample    &left,
+                  const Sample    &right)
+      {
+        constexpr double smallest_interval = 1e-5;
+
+        const auto   slope = slope_between(left, right);
+        unsigned int n     = 0;
+        for (unsigned int k = 1; k < slope.size(); ++k)
+          n += (slope[k - 1] < 0.) != (slope[k] < 0.);
+        const bool has_kink = left.is_at_end != right.is_at_end;
+        if (!has_kink && (n == 0 || (n == 1 && right.slope < 0.)))
+          return;
+
+        const double h = right.place.s - left.place.s;
+        const auto [least, most] =
+          std::minmax_element(slope.begin(), slope.end());
+        const double lowest = std::max(left.value + h * std::min(0., *least),
+                                       right.value - h * std::max(0., *most));
+        const double limit  = bound - resolution;
+        if (limit <= 0. || lowest >= .5 * limit * limit)
+          return;
+
+        const Sample middle =
+          sample(first, second, .5 * (left.place.s + right.place.s));
+        if ((n == 1 && !has_kink) || h < smallest_interval)
+          see(first, second, minimize(first, second, middle.place));
+        else
+          {
+            find_minima(first, second, left, middle);
+            find_minima(first, second, middle, right);
           }
       }
 
@@ -322,6 +410,7 @@ namespace Setae
       }
 
       double         bound;
+      const double   resolution; ///< of distances [length]
       const CellEnds left_out_1, left_out_2;
     };
   } // namespace
@@ -337,12 +426,14 @@ namespace Setae
   {
     // Relative to a point of one of them, far from the origin as well.
     CubicPart A, B;
+    double    size = 0.;
     for (unsigned int k = 0; k < 4; ++k)
       {
         A.points[k] = first[k] - first[0];
         B.points[k] = second[k] - first[0];
+        size        = std::max({size, A.points[k].norm(), B.points[k].norm()});
       }
-    Search search(bound, left_out_1, left_out_2);
+    Search search(bound, size, left_out_1, left_out_2);
     search.divide(A, B, hull_distance(A.points, B.points));
     return search.result;
   }

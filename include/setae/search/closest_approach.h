@@ -30,13 +30,20 @@ namespace Setae
    *
    * Branch and bound: a pair of parts is left out if the convex hulls of its
    * control points are not nearer than what has been found, and the longer of
-   * the two is halved until both are almost straight. Then the squared distance
-   * is minimized over both coordinates, which are bounded by the ends of the
-   * parts, by Newton's method: the distance is exact up to the round-off of the
-   * coordinates relative to each other. It starts from every local minimum of
-   * nine points along the first part; that this finds all of the few minima
-   * which two almost straight parts can have is what the tests against brute
-   * force show.
+   * the two is halved until both are almost straight. Then the first part is
+   * sampled, and an interval between two samples that may hold something nearer
+   * is halved until the derivative of the squared distance from the second
+   * part, taken as a cubic polynomial, changes its sign at most once, and until
+   * nearest points at an end of the second part and others are apart. From
+   * there the squared distance is minimized over both coordinates, which are
+   * bounded by the ends of the parts, by Newton's method: a minimum is exact up
+   * to the round-off of the coordinates relative to each other, and to 4e-13 of
+   * the size of the cells where it is as flat as that of concentric arcs.
+   *
+   * That the smallest minimum is found is measured, not proved: as brute force
+   * does, to 1e-15 of the size, for 100,000 random pairs of slender cells at
+   * any angle and 100,000 with gaps and angles like their waves, and to 3e-15
+   * for 60,000 pairs with loops.
    *
    * @param bound Nothing is looked for at this distance and beyond [length].
    * @param left_out_1, left_out_2 Ends of the cells at which a minimum does not
