@@ -26,9 +26,7 @@ have() {
     libbenchmark-dev) [[ -e /usr/include/benchmark/benchmark.h ]] ;;
     ninja-build) command -v ninja >/dev/null ;;
     gnuplot-nox) command -v gnuplot >/dev/null ;;
-    python3-matplotlib)
-      [[ -e /usr/lib/python3/dist-packages/matplotlib/__init__.py ]]
-      ;;
+    python3-matplotlib) /usr/bin/python3 -c 'import matplotlib' 2>/dev/null ;;
     *) command -v "$1" >/dev/null ;;
   esac
 }

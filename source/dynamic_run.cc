@@ -175,7 +175,9 @@ namespace Setae
                 << (result.converged ?
                       " is the smallest one and not accurate: " :
                       " has no solution: ")
-                << reason << ". The states before it are on disk.";
+                << reason << ". 'dynamics/smallest step', "
+                << dynamics.shortest_step()
+                << ", allows no shorter one. The states before it are on disk.";
         AssertThrow(false, ExcRun(message.str()));
       }
   }

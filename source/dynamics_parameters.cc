@@ -48,19 +48,20 @@ namespace Setae
                       "Upper bound of adapted steps of generalized-alpha "
                       "[time]; 0 means no bound.",
                       Patterns::Double(0.));
-    prm.add_parameter("smallest step",
-                      smallest_step,
-                      "A step of generalized-alpha that cannot be solved or is "
-                      "too inaccurate is repeated with a smaller size down to "
-                      "this one [time]; IDA ends where 500 of its steps are "
-                      "shorter. 0 takes 1e-6 of 'time step'.",
-                      Patterns::Double(0.));
+    prm.add_parameter(
+      "smallest step",
+      smallest_step,
+      "A step of generalized-alpha that cannot be solved or is "
+      "too inaccurate is repeated with a smaller size down to "
+      "this one [time]; IDA ends where 500 of its steps are "
+      "shorter together, twice in a row. 0 takes 1e-6 of 'time step'.",
+      Patterns::Double(0.));
     prm.add_parameter(
       "largest displacement",
       largest_displacement,
       "A step of generalized-alpha that moves a node by more is "
-      "repeated with a smaller size, so that fibers cannot "
-      "jump through each other [length]; 0 means no bound.",
+      "repeated with a smaller size [length]; 0 means no bound. (A step on "
+      "whose way fibers pass through each other always is.)",
       Patterns::Double(0.));
     prm.add_parameter(
       "energy tolerance",

@@ -86,13 +86,11 @@ namespace Setae
 
 
 
-  double
-  EnergyGuard::measure(const MotionReport &motion,
-                       const Evaluation   &evaluation,
-                       const double        path) const
+  EnergyGuard::Parts
+  EnergyGuard::parts(const MotionReport &motion,
+                     const Evaluation   &evaluation,
+                     const double        path) const
   {
-    if (bound == 0.)
-      return 0.;
     const double noise =
       round_off(motion, evaluation) + evaluation.round_off * path;
     const double allowed = bound * largest_energy(motion, evaluation);
@@ -102,8 +100,21 @@ namespace Setae
                                     std::numeric_limits<double>::infinity();
     };
     const double loss = -created(motion);
-    return std::max(part(gain(motion) - last_gain, allowed - last_gain),
-                    part(loss - last_loss, loss_factor * allowed - last_loss));
+    return {part(gain(motion) - last_gain, allowed - last_gain),
+            part(loss - last_loss, loss_factor * allowed - last_loss)};
+  }
+
+
+
+  double
+  EnergyGuard::measure(const MotionReport &motion,
+                       const Evaluation   &evaluation,
+                       const double        path) const
+  {
+    if (bound == 0.)
+      return 0.;
+    const Parts parts = this->parts(motion, evaluation, path);
+    return std::max(parts.gain, parts.loss);
   }
 
 
@@ -136,7 +147,8 @@ namespace Setae
   EnergyGuard::reason(const MotionReport &motion,
                       const Evaluation   &evaluation) const
   {
-    const bool         is_gain = gain(motion) > 0.;
+    const Parts        parts   = this->parts(motion, evaluation, 0.);
+    const bool         is_gain = parts.gain >= parts.loss;
     std::ostringstream text;
     text << "the time integration has " << (is_gain ? "created" : "lost")
          << " an energy of " << (is_gain ? gain(motion) : -created(motion))

@@ -229,6 +229,7 @@ namespace Setae
                                   const InertiaForce *inertia_force,
                                   Evaluation         &evaluation)
   {
+    is_damped = false;
     solver.clear();
     system.start(request, constraints);
     has_product = std::any_of(terms.begin(), terms.end(), [](const auto &term) {
@@ -337,8 +338,9 @@ namespace Setae
     const bool is_solved = solve(system.right_hand_side, increment);
 
     // Once a load step, by its predictor, or where it matters at once. With
-    // inertia, every motion meets with a resistance.
-    if (!inertia && (!increment_at_rest || !is_solved))
+    // inertia or in the overdamped motion, every motion meets with a
+    // resistance.
+    if (!inertia && !is_damped && (!increment_at_rest || !is_solved))
       check_free_fibers();
     return is_solved;
   }
@@ -349,6 +351,7 @@ namespace Setae
   FiberEquations::add_damping(const Vector &coefficients, const Vector &motion)
   {
     auto &matrix = system.tangent_matrix;
+    is_damped    = true;
     solver.clear();
     Vector force(motion), diagonal(coefficients);
     force.scale(coefficients);

@@ -164,7 +164,8 @@ namespace Setae
          << evaluated_time
          << ": no force brings it back, so it has no equilibrium of its own; "
             "hold it by a support ('supports/names') or keep an interaction "
-            "within reach. The states before are on disk.";
+            "within reach."
+         << (evaluated_time > 0. ? " The states before are on disk." : "");
     AssertThrow(false, ExcRun(text.str()));
   }
 } // namespace Setae

@@ -16,7 +16,8 @@ namespace Setae
   void
   InteractionParameters::add_parameters(Entries &prm)
   {
-    law = TabulatedDiskCylinder::name;
+    if (law.empty())
+      law = TabulatedDiskCylinder::name;
     prm.add_parameter("law",
                       law,
                       "The reduced law. " + Laws::descriptions() + ".",

@@ -381,7 +381,7 @@ namespace Setae
     scene.loads        = named<LoadParameters>({"NAME"});
     scene.interactions = named<InteractionParameters>({"NAME"});
 
-    Names   names = {{"NAME"}, {"NAME"}, {"NAME"}, {"NAME"}};
+    Names   names = {{"NAME"}, {"NAME"}, {"NAME"}, {"NAME"}, ""};
     Entries prm;
     add_parameters(prm, scene, names);
     std::ostringstream text;

@@ -48,9 +48,12 @@ namespace Setae
               parameter,
               "",
               "start, end, all or an arc length");
+      const NumberPattern pattern(Patterns::Double(0.),
+                                  with_copy(constants,
+                                            {{"i", 0.}, {"j", 0.}, {"k", 0.}}));
       for (const std::string &place : places)
         if (place != "start" && place != "end" && place != "all")
-          require(NumberPattern(Patterns::Double(0.), constants).match(place),
+          require(pattern.match(place),
                   parameter,
                   place,
                   "start, end, all or an arc length");

@@ -148,7 +148,8 @@ namespace Setae
                       "x; y; z, as formulas of the arc length s and of the "
                       "numbers i, j, k of the copy [length/time].",
                       Patterns::Anything());
-    beam = TorsionFreeKirchhoff::name;
+    if (beam.empty())
+      beam = TorsionFreeKirchhoff::name;
     prm.add_parameter("beam",
                       beam,
                       "The beam formulation. " + Beams::descriptions() + ".",

@@ -65,9 +65,7 @@ namespace Setae
     if (passage.empty())
       return;
     result.converged = false;
-    result.reason    = passage + "; smaller steps ('load stepping/instability "
-                                 "resolution') or a stiffer contact may keep "
-                                 "them apart";
+    result.reason    = passage + "; a stiffer contact may keep them apart";
     solution         = begin;
   }
 

@@ -69,6 +69,17 @@ namespace Setae
     reason(const MotionReport &motion, const Evaluation &evaluation) const;
 
   private:
+    /** What a step creates and loses, as parts of what it may. */
+    struct Parts
+    {
+      double gain, loss;
+    };
+
+    Parts
+    parts(const MotionReport &motion,
+          const Evaluation   &evaluation,
+          const double        path) const;
+
     /** What has been created from the start to a state [energy]. */
     double
     created(const MotionReport &motion) const;

@@ -225,6 +225,8 @@ namespace Setae
     /** Whether terms have left something out of the tangent matrix. */
     bool has_product = false;
 
+    bool is_damped = false; ///< whether the matrix is one of add_damping()
+
     dealii::IndexSet                  all_dofs;
     mutable Vector                    everywhere; ///< a solution, on all ranks
     dealii::AffineConstraints<double> increment_constraints;

@@ -174,6 +174,13 @@ namespace Setae
       return integrator != "none";
     }
 
+    /** What a step may not be shorter than [time]. */
+    double
+    shortest_step() const
+    {
+      return smallest_step > 0. ? smallest_step : 1e-6 * time_step;
+    }
+
     /** @throws ExcParameter if they do not fit each other or the fibers. */
     void
     check(const std::vector<FiberParameters> &fibers) const;

@@ -35,7 +35,7 @@ namespace Setae
     , ends_are_flat(ends_are_flat)
     , cutoff(cutoff)
   {
-    for (const FiberParameters &fiber : fibers.scene.fibers)
+    for (const FiberParameters &fiber : fibers.parameters)
       twice_largest_radius = std::max(twice_largest_radius, 2. * fiber.radius);
   }
 

@@ -8,6 +8,7 @@
 #include <setae/base/exceptions.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace Setae
 {
@@ -99,10 +100,13 @@ namespace Setae
                                   "",
                                   with_copy(fibers.scene.constants,
                                             fibers.fibers[fiber].copy))();
-    AssertThrow(s <= end * (1. + 1e-12),
+    std::ostringstream length;
+    length << end;
+    AssertThrow(s >= 0. && s <= end * (1. + 1e-12),
                 ExcParameter("loads/" + parameters.name + "/at",
                              place,
-                             "at most the length " + std::to_string(end)));
+                             "at least 0 and at most the length " +
+                               length.str()));
     const auto [cell, x] = fibers.locate(fiber, s);
     if (!first_point)
       first_point = {cell, x};

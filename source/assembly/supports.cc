@@ -8,6 +8,7 @@
 #include <setae/base/exceptions.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace Setae
 {
@@ -44,13 +45,15 @@ namespace Setae
                              [value](double a, double b) {
                                return std::abs(a - value) < std::abs(b - value);
                              });
+          std::ostringstream place_of_node;
+          place_of_node << *nearest;
           AssertThrow(std::abs(*nearest - value) < 1e-8 * s.back(),
                       ExcParameter(parameter,
                                    place,
                                    "an arc length where the fiber '" +
                                      fiber.name +
                                      "' has a node; the nearest one is at " +
-                                     std::to_string(*nearest)));
+                                     place_of_node.str()));
           nodes.push_back(nearest - s.begin());
         }
       return nodes;

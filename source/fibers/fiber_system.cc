@@ -63,7 +63,10 @@ namespace Setae
           {
             const Centerline &line = lines[l];
             if (section.beam != Rigid::name)
-              check_curvature(line, "fibers/" + section.name + "/centerline");
+              check_curvature(line,
+                              "fibers/" + section.name +
+                                (section.mesh_file.empty() ? "/centerline" :
+                                                             "/mesh file"));
             parameters.push_back(section.of_copy(scene.constants, line.copy));
             check_distance(line, parameters.back());
 

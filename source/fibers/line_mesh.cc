@@ -158,6 +158,11 @@ namespace Setae
             joined_to[order[i]] = joined_to[order[j]] = first;
           }
 
+    // What is joined to a node that is joined itself goes to that one's place.
+    for (unsigned int v = 0; v < joined_to.size(); ++v)
+      while (joined_to[joined_to[v]] != joined_to[v])
+        joined_to[v] = joined_to[joined_to[v]];
+
     std::set<unsigned int> joined;
     for (auto &[first, second] : lines)
       {

@@ -103,11 +103,15 @@ namespace Setae
     constexpr unsigned int n_steps       = 10;
     constexpr double       largest_ratio = 1.5;
 
+    // Steps that stay as they are so early need not do so to the end.
+    constexpr double least_part = .05;
+
     last_steps.emplace_back(record.time, record.wall_time);
     if (last_steps.size() > n_steps + 1)
       last_steps.pop_front();
     const double left = scene.end_time() - record.time;
-    if (last_steps.size() <= n_steps || left <= 0.)
+    if (last_steps.size() <= n_steps || left <= 0. ||
+        record.time < least_part * scene.end_time())
       return {};
 
     const auto pace = [this](const unsigned int begin, const unsigned int end) {

@@ -103,6 +103,24 @@ namespace Setae
         return system.largest_displacement(increment);
       }
 
+      double
+      increment_norm(const Vector &increment) const override
+      {
+        return system.increment_norm(increment);
+      }
+
+      double
+      length_scale() const override
+      {
+        return system.length_scale();
+      }
+
+      std::string
+      passage(const Vector &from, const Vector &to) const override
+      {
+        return system.passage(from, to);
+      }
+
       // Of the last evaluation.
       Vector    taken; ///< from the displacement to conserve the energy
       double    correction = 0.; ///< the work of the force that does it

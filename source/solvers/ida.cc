@@ -14,6 +14,9 @@
 #  include <deal.II/sundials/ida.h>
 #endif
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cmath>
 #include <exception>
 #include <string>
@@ -197,6 +200,34 @@ namespace Setae
 
 
 
+    /**
+     * IDA prints a notice on the standard error each time it has taken 500
+     * steps, and deal.II does not let it be told otherwise. What is wrong is
+     * said by the exception that ends a run.
+     */
+    class SilentNotices
+    {
+    public:
+      SilentNotices()
+        : standard_error(dup(STDERR_FILENO))
+      {
+        const int nowhere = open("/dev/null", O_WRONLY);
+        dup2(nowhere, STDERR_FILENO);
+        close(nowhere);
+      }
+
+      ~SilentNotices()
+      {
+        dup2(standard_error, STDERR_FILENO);
+        close(standard_error);
+      }
+
+    private:
+      const int standard_error;
+    };
+
+
+
     BlockVector
     two_blocks(const Vector &first, const Vector &second)
     {
@@ -311,30 +342,32 @@ namespace Setae
     // time, and is called again; if it has not moved at all, it has failed.
     //
     // Where no step is right, IDA takes ever shorter ones instead of failing:
-    // two times in a row less than the smallest step in 500 of them is no
-    // progress.
-    const double smallest_step = parameters.smallest_step > 0. ?
-                                   parameters.smallest_step :
-                                   1e-6 * parameters.time_step;
-    bool         is_slow       = false;
-    double       last_time     = -1.;
-    ida.output_step            = [&](const double       time,
+    // 500 of them that are shorter than the smallest step together, twice in a
+    // row, are no progress.
+    constexpr unsigned int n_steps_at_a_time = 500;
+    bool                   is_slow           = false;
+    double                 last_time         = -1.;
+    ida.output_step                          = [&](const double       time,
                           const BlockVector &y,
                           const BlockVector &y_dot,
                           const unsigned int) {
       const Motion motion   = callbacks.motion(time, y, y_dot);
       const bool   was_slow = is_slow;
-      is_slow               = time - last_time < smallest_step;
+      is_slow               = callbacks.n_solved >= n_steps_at_a_time &&
+                time - last_time < parameters.shortest_step();
       AssertThrow(
         time > last_time && !(is_slow && was_slow),
         ExcRun("IDA cannot go on at time " + Utilities::to_string(time) +
                (callbacks.refusal.empty() ? "" : ": " + callbacks.refusal) +
-               ". The states before it are on disk."));
+               " ('dynamics/smallest step' bounds its steps from below). The "
+                                        "states before it are on disk."));
       if (time > 0.)
         visit(time, motion, callbacks.meter, callbacks.n_solved);
       callbacks.n_solved = 0;
-      last_time          = time;
+      callbacks.refusal.clear();
+      last_time = time;
     };
+    const SilentNotices silence;
     ida.solve_dae(y, y_dot);
   }
 

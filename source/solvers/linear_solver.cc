@@ -21,26 +21,29 @@ namespace Setae
     {
       const LinearSolver::Matrix  &A;
       const LinearSolver::Product &B;
+      const Vector                &scaling;
 
       void
-      vmult(Vector &result, const Vector &x) const
+      vmult(Vector &result, const Vector &scaled) const
       {
+        Vector x(scaled);
+        x.scale(scaling);
         A.vmult(result, x);
         Vector product(result);
         B(x, product);
         result += product;
+        result.scale(scaling);
       }
     };
 
-    template <typename Function>
     struct Inverse
     {
-      const Function &multiply;
+      TrilinosWrappers::SolverDirect &solver;
 
       void
       vmult(Vector &result, const Vector &x) const
       {
-        multiply(result, x);
+        solver.solve(result, x);
       }
     };
 
@@ -188,16 +191,17 @@ namespace Setae
     bool is_solved = true;
     try
       {
+        // In the unknowns that the matrix was scaled for, which have one unit.
         // With the preconditioner on the left, the residual that counts is in
-        // the units of the solution.
-        const auto multiply = [this](Vector &y, const Vector &x) {
-          multiply_by_inverse(y, x);
-        };
-        const Inverse<decltype(multiply)> inverse{multiply};
-        inverse.vmult(result, right_hand_side);
+        // that of the solution.
+        const Inverse inverse{factors->solver};
+        Vector        force(right_hand_side);
+        force.scale(scaling);
+        inverse.vmult(result, force);
         ReductionControl    control(100, 1e-14 * result.l2_norm(), 1e-10);
         SolverGMRES<Vector> gmres(control);
-        gmres.solve(Sum{*matrix, B}, result, right_hand_side, inverse);
+        gmres.solve(Sum{*matrix, B, scaling}, result, force, inverse);
+        result.scale(scaling);
       }
     catch (const std::exception &)
       {

@@ -36,7 +36,8 @@ namespace Setae
     if (value < smallest_step)
       {
         std::ostringstream allowed;
-        allowed << (value > 0. ? "at least the smallest step " : "positive");
+        allowed << (value > 0. ? "at least 'load stepping/smallest step', " :
+                                 "positive");
         if (value > 0.)
           allowed << smallest_step;
         allowed << " at every time, but is " << value
@@ -93,10 +94,15 @@ namespace Setae
   {
     constexpr double reduction = .25;
 
-    if (step_size() <= parameters.instability_resolution * (1. + 1e-10))
+    // A size that is a difference of times has their round-off.
+    constexpr double least_reduction = 1e-6;
+
+    const double next =
+      std::max(reduction * step_size(), parameters.instability_resolution);
+    if (next >= (1. - least_reduction) * step_size())
       return false;
     failed_time = next_time();
-    size = std::max(reduction * step_size(), parameters.instability_resolution);
+    size        = next;
     return true;
   }
 

@@ -10,8 +10,7 @@ namespace Setae
 {
   TimeStepping::TimeStepping(const DynamicsParameters &parameters)
     : parameters(parameters)
-    , smallest(parameters.smallest_step > 0. ? parameters.smallest_step :
-                                               1e-6 * parameters.time_step)
+    , smallest(parameters.shortest_step())
     , largest(parameters.largest_step > 0. ? parameters.largest_step :
                                              parameters.end_time)
     , size(parameters.time_step)

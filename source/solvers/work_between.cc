@@ -55,7 +55,10 @@ namespace Setae
       Setae::work_between(first.external_work, second.external_work));
     result.damping = damping * mean(a.velocity, b.velocity, momentum);
     result.inertia = mean(a.acceleration, b.acceleration, momentum);
-    result.path    = chord.l1_norm();
+
+    Vector lengths(system.unit_displacements());
+    lengths.scale(chord);
+    result.path = lengths.l1_norm();
 
     // Right for a mass that a constant force accelerates from rest, whether it
     // comes to its last velocity slowly or at once.

@@ -102,6 +102,16 @@ TEST(Copies, HaveNumbersOfTheirOwn)
 
 
 
+TEST(Copies, KeepTheirBeamIfTheirNumbersDiffer)
+{
+  const Scene scene = Scene::read(rods, "rods.prm", {"fibers/rod/beam=rigid"});
+  const FiberSystem fibers(scene, MPI_COMM_SELF);
+  for (const Fiber &fiber : fibers.fibers)
+    EXPECT_TRUE(fibers.is_rigid(fiber.first_cell)) << fiber.name;
+}
+
+
+
 TEST(Copies, BendAsTheirOwnNumbersSay)
 {
   std::ostringstream screen;

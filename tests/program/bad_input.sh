@@ -108,7 +108,7 @@ supports/held/tangent direction|along|three formulas
 supports/held/tangent direction|0; 0; 0|a vector with a direction at every time, but not at t = 0
 supports/held/tangent direction|0; 1; 1|in the plane of the active coordinates
 loads/weight/fibers|nobody|all, left, right
-loads/weight/at|5.1|at most the length 5
+loads/weight/at|5.1|at least 0 and at most the length 5
 loads/weight/force|0; 0|three formulas
 interactions/adhesion/law|gravity|disk-disk
 interactions/adhesion/source|nobody|all, left, right

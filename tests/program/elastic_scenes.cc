@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 The Setae authors
 
-#include "run_scene.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <set>
+
+#include "run_scene.h"
 
 using namespace Setae;
 
@@ -25,8 +25,8 @@ namespace
 
 
 
-// Elliptic integrals for P l^2/(EI) = 10, Mattiasson 1981: 0.55500 and 0.81061 of
-// the inextensible rod; slenderness 100 changes the fourth digit.
+// Elliptic integrals for P l^2/(EI) = 10, Mattiasson 1981: 0.55500 and 0.81061
+// of the inextensible rod; slenderness 100 changes the fourth digit.
 TEST(Elastica, BendsAsTheEllipticIntegralsSay)
 {
   SceneRun scene("elastica");
@@ -43,7 +43,8 @@ TEST(Elastica, BendsAsTheEllipticIntegralsSay)
 TEST(Elastica, IsSolvedInOneLoadStepFromTheStraightRod)
 {
   SceneRun scene("elastica",
-                 {"load stepping/first step=1", "load stepping/largest step=1"});
+                 {"load stepping/first step=1",
+                  "load stepping/largest step=1"});
   scene.run();
   EXPECT_EQ(scene.records.size(), 2u);
   EXPECT_LE(scene.records.back().n_iterations, 10u);
@@ -96,8 +97,8 @@ TEST(Scenes, HaveOnlyWhatTheyNeed)
   EXPECT_EQ(plane.problem->n_dofs(), 17u * 2u * 2u);
   EXPECT_EQ(peeling.problem->n_dofs(), 2u * 65u * 2u * 2u);
 
-  // Without partners, a row couples to its node and the two next to it: 3 blocks,
-  // less what the clamp takes away; its five rows keep their diagonal.
+  // Without partners, a row couples to its node and the two next to it: 3
+  // blocks, less what the clamp takes away; its five rows keep their diagonal.
   const auto chain = [](const unsigned int n_nodes, const unsigned int block) {
     return (3 * n_nodes - 2) * block * block;
   };

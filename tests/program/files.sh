@@ -176,7 +176,8 @@ full() {
   rm -rf full
   call="mpirun -np $ranks setae s.prm $*, on a full disk of $limit KiB"
   # shellcheck disable=SC2016
-  PMIX_MCA_gds=hash OMPI_MCA_pml=ob1 OMPI_MCA_btl=self,tcp timeout 100 \
+  PMIX_MCA_gds=hash OMPI_MCA_pml=ob1 OMPI_MCA_btl=self,tcp \
+    OMPI_MCA_btl_tcp_if_include=lo timeout 100 \
     mpirun --oversubscribe -np "$ranks" \
     bash -c 'trap "" XFSZ; ulimit -f "$1"; shift; exec "$@" 2>>"$0"' \
     "$captured/err" "$limit" "$setae" s.prm --output full "$@" \

@@ -39,16 +39,16 @@ TEST(PeelingIssip, ConvergesQuadraticallyInEveryVariant)
   for (const std::string frame : {"averaged", "source"})
     for (const std::string moments : {"true", "false"})
       {
-        SceneRun scene("peeling_issip",
-                       short_fibers +
-                         std::vector<std::string>{
-                           "load stepping/end time=2e-4",
-                           "load stepping/largest step=2e-4",
-                           "load stepping/first step=2e-4",
-                           "newton/log iterations=true",
-                           "newton/relative increment tolerance=1e-9",
-                           path + "frame=" + frame,
-                           path + "interaction moments=" + moments});
+        SceneRun scene(
+          "peeling_issip",
+          short_fibers +
+            std::vector<std::string>{"load stepping/end time=2e-4",
+                                     "load stepping/largest step=2e-4",
+                                     "load stepping/first step=2e-4",
+                                     "newton/log iterations=true",
+                                     "newton/relative increment tolerance=1e-9",
+                                     path + "frame=" + frame,
+                                     path + "interaction moments=" + moments});
         scene.run();
         EXPECT_EQ(scene.summary.n_rejected_steps, 0u);
         SCOPED_TRACE(frame + ' ' + moments);

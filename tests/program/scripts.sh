@@ -7,6 +7,7 @@
 
 source "$(dirname "${BASH_SOURCE[0]}")/expect.sh"
 
+export MPLCONFIGDIR=$captured/matplotlib
 prm=$here/../../prm
 plot=(/usr/bin/python3 "$prm/plot")
 
@@ -58,6 +59,7 @@ check "a run that fails succeeds" [ "$status" -eq 1 ]
 echo 'raise SystemExit("no plot today")' >tree/prm/plot
 runs some/where/elastica.prm --output mine
 check "no notice" on_stdout 'no plot; the results are in mine'
+check "the plot of the run before is left" [ ! -e mine/curve.png ]
 
 # What is drawn of each kind of scene: titles and curves of its axes.
 if ! "${plot[@]}" --help >/dev/null 2>&1; then

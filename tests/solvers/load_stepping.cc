@@ -92,6 +92,22 @@ TEST(LoadStepping, LocatesNothingFinerThanTheInstabilityResolution)
 
 
 
+TEST(LoadStepping, GivesUpWhereTheResolutionIsRoundOffOfTheTime)
+{
+  LoadSteppingParameters p = parameters();
+  p.first_step             = .3;
+  p.smallest_step          = 1e-16;
+  p.instability_resolution = 1e-15;
+  LoadStepping steps(p, {});
+  steps.accept(5);
+  unsigned int n_attempts = 0;
+  while (n_attempts < 100 && steps.reject())
+    ++n_attempts;
+  EXPECT_LT(n_attempts, 100u);
+}
+
+
+
 TEST(LoadStepping, DoesNotCreepBelowTheSmallestStep)
 {
   LoadSteppingParameters p = parameters();

@@ -122,6 +122,24 @@ namespace Setae::Test
       return increment.linfty_norm();
     }
 
+    double
+    increment_norm(const Vector &increment) const override
+    {
+      return increment.l2_norm();
+    }
+
+    double
+    length_scale() const override
+    {
+      return 1.;
+    }
+
+    std::string
+    passage(const Vector &, const Vector &) const override
+    {
+      return {};
+    }
+
     Momenta
     momenta(const Motion &motion) override
     {

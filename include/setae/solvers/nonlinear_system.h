@@ -106,17 +106,11 @@ namespace Setae
      * of their cell [length].
      */
     virtual double
-    increment_norm(const Vector &increment) const
-    {
-      return increment.l2_norm();
-    }
+    increment_norm(const Vector &increment) const = 0;
 
     /** The length that an increment is small in comparison with [length]. */
     virtual double
-    length_scale() const
-    {
-      return 1.;
-    }
+    length_scale() const = 0;
 
     /**
      * What passes through what on the straight way between two solutions, in
@@ -124,12 +118,7 @@ namespace Setae
      * although both may be admissible.
      */
     virtual std::string
-    passage(const Vector &from, const Vector &to) const
-    {
-      (void)from;
-      (void)to;
-      return {};
-    }
+    passage(const Vector &from, const Vector &to) const = 0;
   };
 
 
