@@ -308,10 +308,16 @@ TEST(Work, MakesTheBalanceOfALinearSystemExactWhateverTheSteps)
                           first,
                           1e-9 * largest);
             }
-          // Accelerations of supports are not those of Newmark's formulas.
-          if (!is_driven && rho == 1.)
+          // Accelerations of supports are not those of Newmark's formulas, and
+          // a first step that is longer than the decay, here 0.3, is one of
+          // implicit Euler, which takes energy.
+          if (!is_driven && rho == 1. && .3 * damping <= 1.)
             {
               EXPECT_NEAR(numerical, 0., 1e-9 * largest);
+            }
+          if (!is_driven && .3 * damping > 1.)
+            {
+              EXPECT_GE(numerical, -1e-9 * largest);
             }
           if (!is_driven && rho < 1. && damping == 0.)
             {
