@@ -145,7 +145,7 @@ load stepping/smallest step|1|at most the first step; how finely an instability 
 load stepping/instability resolution|0|positive
 load stepping/largest step|-1|positive
 load stepping/largest step|0|positive at every time, but is 0 at t = 0
-load stepping/largest step|1e-13|at least the smallest step
+load stepping/largest step|1e-13|at least 'load stepping/smallest step'
 load stepping/growth|0.5|Double 1
 fibers/left/density|-1|Double 0
 dynamics/integrator|leapfrog|none|generalized-alpha|energy-conserving|IDA
